@@ -32,15 +32,19 @@ void check(double approach, double effective_modulus, const CgFftOptions& option
                                  options.nx, options.ny, bytes / 1e9, options.memory_limit / 1e9));
 }
 
-// Number of cells of each grid of the ladder, coarse to fine.
+// Number of cells of each grid of the ladder, coarse to fine: each has 1/sqrt 2 of the next one's
+// along each axis. Halves are exact and rounded down, so that no direction of rounding decides.
 std::vector<std::pair<Index, Index>> ladder(const CgFftOptions& options) {
   std::vector<std::pair<Index, Index>> sizes;
-  double scale = 1;
-  for (;; scale /= std::sqrt(2.0)) {
-    const auto nx = static_cast<Index>(std::lround(static_cast<double>(options.nx) * scale));
-    const auto ny = static_cast<Index>(std::lround(static_cast<double>(options.ny) * scale));
-    if (scale < 1 && std::min(nx, ny) < coarsest) break;
-    sizes.emplace_back(nx, ny);
+  double power = 1;  // of a half
+  for (bool between = false;; between = !between) {
+    const double scale = between ? power / std::sqrt(2.0) : power;
+    const auto cells = [scale](Index n) {
+      return static_cast<Index>(std::ceil(static_cast<double>(n) * scale - 0.5));
+    };
+    if (scale < 1 && std::min(cells(options.nx), cells(options.ny)) < coarsest) break;
+    sizes.emplace_back(cells(options.nx), cells(options.ny));
+    if (between) power /= 2;
   }
   std::ranges::reverse(sizes);
   return sizes;

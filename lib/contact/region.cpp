@@ -74,6 +74,12 @@ struct Line {
   }
 };
 
+// Whether the second is larger than the first. Cells that mirror each other have the same pressure
+// but for rounding, which does not decide.
+bool rises(double first, double second) {
+  return second > first * (1 + 1e-5);
+}
+
 // Distance in cells from the first cell edge of the line to where p^2, continued outward from cell
 // k, the outermost of a run of cells with pressure, reaches zero. Cell k itself, which the edge
 // cuts, is only used if it must be.
@@ -83,14 +89,14 @@ double end_at(const Line& line, Index k) {
   auto square = [&](Index n) { return n < line.count ? line.pressure(n) * line.pressure(n) : 0.0; };
   double t = -0.5;  // of the outermost cell, inward from its centre to the zero of p^2
   const double s1 = square(k + 1), s2 = square(k + 2), s3 = square(k + 3);
-  if (s1 > 0 && s2 > s1 && s3 > s2) {
+  if (s1 > 0 && rises(s1, s2) && rises(s2, s3)) {
     // Newton's parabola through the three next cells, at a distance u outward of the first of them.
     const double slope = s2 - s1, bend = s3 - 2 * s2 + s1;
     const double linear = slope - 0.5 * bend;
     const double discriminant = linear * linear - 2 * bend * s1;
     const double u = discriminant >= 0 ? 2 * s1 / (linear + std::sqrt(discriminant)) : s1 / slope;
     t = 1 - u;
-  } else if (s1 > square(k)) {
+  } else if (rises(square(k), s1)) {
     t = -square(k) / (s1 - square(k));
   }
   // A region that runs off the grid ends with it: never below 0, which would read as no pressure at
@@ -110,7 +116,7 @@ double end_of(const Line& line) {
 // at least 1.5 times the p^2 of the second.
 bool starts_steeply(const Line& line, Index k, double p_max) {
   const double first = line.pressure(k), second = line.pressure(k + 1);
-  return second > 0.3 * p_max && (first > second || second > line.pressure(k + 2));
+  return second > 0.3 * p_max && (rises(second, first) || rises(line.pressure(k + 2), second));
 }
 
 // What the ends of the runs of 8 cells or more have in common.
@@ -158,7 +164,8 @@ double extreme(const std::vector<double>& ends) {
   for (std::size_t j = 0; j < ends.size(); ++j) {
     if (ends[j] < 0) continue;
     ++with_pressure;
-    if (best < 0 || ends[j] < ends[static_cast<std::size_t>(best)]) best = static_cast<Index>(j);
+    if (best < 0 || rises(ends[j], ends[static_cast<std::size_t>(best)]))
+      best = static_cast<Index>(j);
   }
   const double least = ends[static_cast<std::size_t>(best)];
   const Index half = with_pressure / 5;
@@ -284,7 +291,7 @@ Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorX
     patch.force += p[n] * cell;
     ++patch.cells;
     extent.add(i, j, p[n]);
-    if (extent.peak < 0 || p[n] > p[extent.peak]) extent.peak = n;
+    if (extent.peak < 0 || rises(p[extent.peak], p[n])) extent.peak = n;
   }
   if (region.cells == 0) return region;
   region.force *= cell, region.moment_x *= cell, region.moment_y *= cell;
