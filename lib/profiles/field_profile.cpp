@@ -197,6 +197,12 @@ std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i].text;
     if (line.empty()) continue;
+    if (line.starts_with('<')) return std::nullopt;  // XML
+    if (contains(line, "MDI_HEADER"))
+      throw InputError(fmt::format(
+          "line {}: this is a property file of ADAMS, whose form is not published; allowed: its "
+          "points in two plain columns, across and height",
+          lines[i].number));
     if (contains(line, "wheelprofile") || contains(line, "railprofile"))
       return read_vampire({lines.begin() + std::ptrdiff_t(i), lines.end()}, body);
     if (line.starts_with("header.begin") || line.starts_with("spline.begin"))

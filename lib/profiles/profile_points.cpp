@@ -24,6 +24,8 @@ double steepest(Body body) {
   return (body == Body::wheel ? 80 : 88) * units::degree;
 }
 
+constexpr double rim_corner = 60 * units::degree;
+
 double distance(const Point& a, const Point& b) {
   return std::hypot(b.u - a.u, b.z - a.z);
 }
@@ -160,9 +162,10 @@ void require_wheel(const std::vector<Point>& p) {
 void cut_steep_ends(CheckedPoints& checked, Body body) {
   constexpr double face = 8 * millimetre;
   std::vector<Point>& p = checked.points;
-  const auto steep = [&](std::size_t i) {
-    return std::abs(p[i + 1].z - p[i].z) > std::tan(steepest(body)) * (p[i + 1].u - p[i].u);
+  const auto steeper = [&](std::size_t i, double angle) {
+    return std::abs(p[i + 1].z - p[i].z) > std::tan(angle) * (p[i + 1].u - p[i].u);
   };
+  const auto steep = [&](std::size_t i) { return steeper(i, steepest(body)); };
   const std::size_t n = p.size(), reach = n / 4;
   const std::size_t low = std::size_t(std::ranges::min_element(p, {}, &Point::z) - p.begin()),
                     top = std::size_t(std::ranges::max_element(p, {}, &Point::z) - p.begin());
@@ -171,6 +174,8 @@ void cut_steep_ends(CheckedPoints& checked, Body body) {
   if (body == Body::wheel) {
     for (std::size_t i = 0; i < reach; ++i)
       if (steep(i)) first = i + 1;
+    // The corner of the rim, under which a smooth curve would fold back.
+    while (first < reach && steeper(first, rim_corner)) ++first;
     for (std::size_t i = n - 1; i > n - 1 - reach && i > low + 1; --i)
       if (steep(i - 1)) last = i - 1;
   } else {

@@ -38,7 +38,7 @@ struct CheckedPoints {
 //   5 um on;
 // * holes: points farther apart than 4 times the others nearby, and 3 mm;
 // * doubled points and fold-backs, which others hide, and sides at the ends that are steeper than
-//   80 degrees (the back and the rim of a wheel) or 88 (a rail): left out;
+//   80 degrees (the back and the rim of a wheel), 60 (its corner) or 88 (a rail): left out;
 // * what rises beyond a groove beside a rail's head, and what is more than 50 mm below its top:
 //   left out.
 // Throws InputError for fewer than 8 points, a number that is not finite, points in no order (more

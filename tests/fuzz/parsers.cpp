@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -85,7 +86,8 @@ void parse(int which, std::string_view bytes) {
     case 9: {
       using profiles::Body;
       const Body body = which == 8 ? Body::wheel : Body::rail;
-      if (auto read = profiles::parse_field_profile(bytes, body))
+      const std::optional<long> second = bytes.size() % 2 ? std::nullopt : std::optional{2L};
+      if (auto read = profiles::parse_field_profile(bytes, body, {.section = second}))
         static_cast<void>(profiles::check_points(std::move(read->points), body));
       break;
     }
