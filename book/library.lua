@@ -162,6 +162,9 @@ function library.example(room)
   return html.tag("div", {class = "code"}, highlight.cpp((body:gsub("%s+$", ""))))
 end
 
+-- Rooms that only who works on the book or the commands needs: their headers in a line each.
+local brief = {report = true, bench = true, plot = true, scene = true, tool = true, files = true}
+
 -- The rooms by what a reader wants, with what each is for. A room that no line names stands in the last group.
 local groups = {
   {"Physics", "Wheel, rail, vehicle and track.", {
@@ -181,7 +184,7 @@ local groups = {
   {"Numerics", "What the physics computes with.", {
     {"num", "roots, quadrature, FFT, linear algebra, ODE solvers, random numbers"}, {"units", "constants of units, quantities with units, input errors"},
     {"table", "CSV"}}},
-  {"The making of the book and of the commands", "What draws, reports and reads options.", {
+  {"The making of the book and of the commands", "What draws, reports and reads options. Contracts and names stand in the headers.", {
     {"report", "chapters, checks, verdicts, records"}, {"bench", "error against run time"}, {"plot", "figures by gnuplot"}, {"scene", "pictures by OSMesa"},
     {"tool", "options with units, configuration files, answers"}, {"files", "results written safely"}}},
 }
@@ -195,8 +198,12 @@ function library.all(paths)
       rooms[room], order[#order + 1] = {}, room
     end
     local header = library.header(path)
-    table.insert(rooms[room], section(room, room .. "/" .. file, header, seen))
-    for _, entry in ipairs(header.entries) do
+    if brief[room] then
+      table.insert(rooms[room], html.tag("p", nil, html.tag("code", nil, html.escape(room .. "/" .. file)) .. " " .. html.escape(headline(header.comment or ""))))
+    else
+      table.insert(rooms[room], section(room, room .. "/" .. file, header, seen))
+    end
+    for _, entry in ipairs(brief[room] and {} or header.entries) do
       found[#found + 1] = {entry.name, anchor(room, entry.name), room .. "/" .. file .. " " .. entry.comment:sub(1, 60):gsub("[\192-\255]?[\128-\191]*$", "")}
     end
   end
