@@ -11,10 +11,19 @@ local whole = 40 -- a table of at most so many rows is open as a whole
 
 local function share(ratio) return html.number(("%.3g"):format(ratio * 100)) .. " %" end
 
+-- How many digits of what came out are shown: one more than the print has.
+local function significant(check)
+  local printed = check.of_paper and tostring(check.printed or ""):gsub("\u{202f}", "")
+  local mantissa = printed and printed:match("^[-+−]?([%d., ]*%d)")
+  if not mantissa then return 7 end
+  local digits = #mantissa:gsub("[., ]", ""):gsub("^0+", "")
+  return math.max(4, math.min(7, digits + 1))
+end
+
 -- What came out, as it is shown.
 function check_tables.computed(check)
   local text = check.computed_text or check.computed
-  if type(text) == "number" then text = ("%.7g"):format(text) end
+  if type(text) == "number" then text = ("%%.%dg"):format(significant(check)):format(text) end
   if text == nil or text == "nan" then text = "not a number" end
   return text:find("[$`]") and html.text(text) or html.number(text)
 end
@@ -66,6 +75,8 @@ end
 
 -- What the check is held against: the text of the paper, or the number of another work or method.
 function check_tables.expected(check, of_paper)
+  local bound = (check.kind == "at_most" or check.kind == "at_least") and tonumber(check.reference)
+  if bound and not of_paper then return html.number(("%.3g"):format(bound)) end
   return check.source == "claim" and "–" or html.number((of_paper and check.printed or check.reference) or "–")
 end
 
