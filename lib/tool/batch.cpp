@@ -9,6 +9,7 @@
 
 #include <railbook/files/outside.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/progress.hpp>
 #include <railbook/tool/session.hpp>
@@ -146,8 +147,8 @@ std::string numbers_of(const Json& row) {
   int count = 0;
   for (const auto& item : row.items())
     if (item.value().is_number() && !aside.contains(item.key()) && ++count <= most)
-      text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", item.key(),
-                          item.value().get<double>());
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", item.key(),
+                          to_text(item.value().get<double>()));
   if (count > most) text += fmt::format(", and {} more", count - most);
   return text;
 }
