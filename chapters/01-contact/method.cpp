@@ -382,7 +382,8 @@ void fig_05(report::Item& item) {
   item.add_row("COUNTACT-1, -2", "one or two axes of symmetry", "", "countact_1, countact_2");
   item.add_row("PARAB2, PARAB3", "two- and three-point parabolas", "COUNTACT", "find_zero");
   item.add_row("DAOR", "the integral of dA/r, (15)", "COUNTACT", "rectangle_influence");
-  item.add_row("LEQT1F", "linear equations (14), IMSL", "COUNTACT", "Eigen::PartialPivLU");
+  item.add_row("LEQT1F", "linear equations (14), by the subroutine library IMSL", "COUNTACT",
+               "Eigen::PartialPivLU");
   item.add_row("INSEP", "initial separation (1)", "COUNTACT", "Gap");
   item.add_row("MIDWEL, WHEEL, RAIL", "profiles of the bodies", "INSEP", "rail_wheel_gap");
   item.add_row("COUNTAXI, PROFIL", "bodies of revolution", "", "countaxi");

@@ -162,7 +162,7 @@ void tabulate(report::Item& item) {
                 {"estimated error", "{:.0e}"},
                 {"f, 48 x 24 cells", "{:.5f}"},
                 "f, independent program",
-                {"stick share", "{:.2f}"}});
+                {"part that sticks", "{:.2f}"}});
   double farthest = 0;
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const CreepForces& p = curve[k];

@@ -69,9 +69,9 @@ independent of speed as it was. {{outcome:fig-08/bandpass}}
 In the product the gain at 9 mph differs from that at 80 mph by at most {{spread}} (of 1), at the
 shortest wave. {{outcome:fig-09/magnitude}} After the hybrid filter, says the paper, the yaw rate
 has "a high-frequency cutoff which is constant" in spatial frequency. Ours has: the gain falls to
-0.707 at {{cutoff-9}} at 9 mph and at {{cutoff-80}} at 80 mph. {{outcome:fig-09/cutoff}} Below the
-figure the speed can be moved. The analog filters move over the waves of the track as the car goes
-faster, and the hybrid ones stay.
+0.707 at {{cutoff-9}} at 9 mph and at {{cutoff-80}} at 80 mph. {{outcome:fig-09/cutoff}} In the
+figure at the head of the page the steady speed can be moved: the gain of the analog filter moves
+with it, and that of the hybrid one stays.
 
 ### Two poles, for accelerometers
 

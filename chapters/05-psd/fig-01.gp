@@ -1,3 +1,5 @@
+# alt: Height of a rail along the distance: four equal arches of 11.9 m that meet in sharp dips, the
+# alt: joints, a depth B below the crests.
 load "style.gp"
 set terminal pngcairo size 1000,330
 set output ARG2

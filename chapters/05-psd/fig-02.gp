@@ -1,3 +1,6 @@
+# alt: Three panels. Left: three lines at multiples of the rail's wavenumber, the first by far the
+# alt: highest. Middle: two bell-shaped window spectra, a narrow high one for segments of 1024 ft, a
+# alt: wide low one for 256 ft. Right: the three lines with these shapes.
 load "style.gp"
 set terminal pngcairo size 1400,430
 set output ARG2

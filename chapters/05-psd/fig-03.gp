@@ -1,3 +1,6 @@
+# alt: A spectrum on logarithmic axes. A single segment scatters over decades; the average over five
+# alt: miles and triangles for bands lie on the model, which falls with slope -2 to the corner and
+# alt: with slope -4 beyond.
 load "style.gp"
 set terminal pngcairo size 1000,460
 set output ARG2

@@ -1,3 +1,6 @@
+# alt: Three spectra near the line of the rail. Left: its peak on a broad floor for random dips, and
+# alt: on wide skirts for grouped ones. Middle: a second, lower peak at one over 33 ft. Right: a
+# alt: lower peak on each side at the same distance.
 load "style.gp"
 set terminal pngcairo size 1400,460
 set output ARG2

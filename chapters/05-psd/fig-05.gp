@@ -1,3 +1,5 @@
+# alt: Two records of a rail with 40 joints. Above, deep and shallow dips follow each other at
+# alt: random; below, deep dips stand in groups, with stretches of shallow ones between.
 load "style.gp"
 set terminal pngcairo size 1000,430
 set output ARG2

@@ -1,3 +1,6 @@
+# alt: Five records of 130 m under each other: arches of 33 ft, a smooth wave of the same length,
+# alt: arches of 39 ft, the sum of the last two with dips of uneven shape, and arches of 39 ft whose
+# alt: dips follow a slow wave.
 load "style.gp"
 set terminal pngcairo size 1000,720
 set output ARG2

@@ -1,3 +1,6 @@
+# alt: The spectrum of zone 10 twice. On linear axes a peak stands out of a curve that falls steeply
+# alt: at long waves; on logarithmic axes two straight slopes carry a row of peaks. Points of an
+# alt: estimate lie on the sum.
 load "style.gp"
 set terminal pngcairo size 1400,540
 set output ARG2

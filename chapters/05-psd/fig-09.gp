@@ -1,3 +1,5 @@
+# alt: A bell-shaped peak above a falling random part. A box as high as the peak and as wide as the
+# alt: peak is at half its height stands over it; arrows mark height and width.
 load "style.gp"
 set terminal pngcairo size 1000,460
 set output ARG2

@@ -1,3 +1,6 @@
+# alt: Two arches of a rail with a joint between. The short chord spans from near crest to near
+# alt: crest and lies 0.95 B above the joint, the long one reaches beyond the crests and lies 0.60 B
+# alt: above it.
 load "style.gp"
 set terminal pngcairo size 1000,430
 set output ARG2

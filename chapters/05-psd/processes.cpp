@@ -111,7 +111,7 @@ void lines(report::Item& item) {
                 {"wavelength, m", "{:.3f}"},
                 {"Qₙ/B² as printed in (2)", "{:.5e}"},
                 {"Qₙ/B² exact, one-sided", "{:.5e}"},
-                {"share of the variance, %", "{:.3f}"}});
+                {"fraction of the variance, %", "{:.3f}"}});
   for (int n = 1; n <= 3; ++n)
     item.add_row(double(n), rail / n, as_printed(n), exact(n), 100 * exact(n) / variance);
   const table::CsvTable printed = item.printed("equations.csv");

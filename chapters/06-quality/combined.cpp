@@ -6,11 +6,9 @@ wheel force is driven by profile, the height of each rail. The paper puts both o
 
 {{fig-07}}
 
-Below the figure the speed of the track can be moved. The level stays and its two ends move, and for
-the heavier car B the short end moves sooner.
-
 The shape is the paper's: a rise with the square of the wavelength at both ends, and a constant
-level between. Its two numbers depend on the vehicle, which is not printed. With car A the level
+level between. Its two numbers depend on the vehicle, which is not printed; the figure at the head of the
+page draws it for any posted speed and body. With car A the level
 ends below at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for
 the five speeds, where the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h.
 Beyond the upper end of the level, the amplitude has doubled at {{double-64}} for 64 km/h,

@@ -1,3 +1,5 @@
+# alt: The shape of a rail under a load: deepest under it, zero at a distance of 3 pi/4 over beta to
+# alt: each side and lifted slightly beyond. Squares of a Fourier integral lie on it.
 load "style.gp"
 set terminal pngcairo size 1000,460
 set output ARG2

@@ -1,3 +1,5 @@
+# alt: A wheel on a rail, three ties with pyramids of ballast below them on the subgrade; beside it
+# alt: the same as a chain of four springs: pad, tie, ballast, subgrade.
 load "style.gp"
 set output ARG2
 load "scene.gp"

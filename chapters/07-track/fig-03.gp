@@ -1,3 +1,6 @@
+# alt: Stiffness near a joint over that of unjointed rail, two panels. At a hinge it rises from one
+# alt: half to one, dips slightly and returns; the formula rises more slowly. At a free joint it
+# alt: rises from a quarter, and the formula follows it closely.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 1300,540

@@ -1,3 +1,6 @@
+# alt: Two wheels under their loads, each on a contact spring, a rail mass, a spring and a damper, a
+# alt: mass of tie and ballast, and a spring and a damper to the ground; an arrow between the rail
+# alt: masses says that each load moves the other.
 load "style.gp"
 set terminal pngcairo size 840,640
 set output ARG2

@@ -1,3 +1,5 @@
+# alt: Two spectra of cross level that fall with growing wavenumber on logarithmic axes, class 3
+# alt: above class 6; four marks at the top show where staggered joints add power.
 load "style.gp"
 set output ARG2
 set logscale xyx2

@@ -1,3 +1,6 @@
+# alt: Above, arches of the left and the right rail, shifted by half a rail. Below, what a car
+# alt: feels: the mean of both, which has two dips in a rail length, and half their difference,
+# alt: which has one wave.
 load "style.gp"
 set terminal pngcairo size 1000,560
 set output ARG2

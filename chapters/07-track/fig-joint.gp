@@ -1,3 +1,6 @@
+# alt: Force against time after the joint. It jumps to the peak P1, swings with a period near 1 ms
+# alt: about a slower rise and fades; the running mean has a flat maximum, P2, near 9 ms. With more
+# alt: damping the swings die within 3 ms.
 load "style.gp"
 set output ARG2
 set style textbox opaque noborder margins 0.3,0.3

@@ -1,3 +1,7 @@
+# alt: Dents seen from the load. Left, without damping, they are symmetric and deepen and spread as
+# alt: the speed nears the critical one. Right, with damping, the dent lags a little at half the
+# alt: critical speed, and at twice that speed it lies wholly behind the load with short waves
+# alt: ahead.
 load "style.gp"
 set terminal pngcairo size 1300,540
 set output ARG2
