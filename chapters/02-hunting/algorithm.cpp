@@ -2,14 +2,17 @@
 ### The paper's search
 
 The paper finds a cycle of a given amplitude by two loops, drawn in its flow chart (Fig. 10). The
-struct `Loop` is this search. Its inner loop, `settle`, takes the gains for the present shape and
-frequency, takes the least damped eigenvector of the car with these gains as the next shape, scales
-it to the amplitude, and repeats until the shape reproduces itself. The outer loop, `run`, changes
-the speed until the growth rate is zero, by a straight line through the last two. A footnote of the
-paper says that the least damped eigenvector does not always reproduce itself, and that the next one
-is used then (`ModeChoice`).
+inner loop, `settle`, takes the gains for the present shape and frequency, takes the least damped
+eigenvector of the car with these gains as the next shape, scales it to the amplitude, and repeats
+until the shape reproduces itself. A footnote of the paper says that the least damped eigenvector
+does not always do so, and that the next one is used then (`choice`).
 
-{{code: method/eigenvector_loop.cpp Loop}}
+{{code: method/eigenvector_loop.cpp settle}}
+
+The outer loop, `run`, changes the speed until the growth rate is zero, by a straight line through
+the last two.
+
+{{code: method/eigenvector_loop.cpp run}}
 
 ### Newton's method along the branch
 
@@ -20,7 +23,7 @@ branch's tangent. The last (*pseudo-arclength*) lets the branch turn round in sp
 amplitude, as it does.
 
 The function `solve_cycle` does this by Newton's method. Its first eighteen rows are (10) and its
-exact derivative, row 18 is the phase, and row 19 is the condition that was picked.
+exact derivative, row 18 is the phase, and row 19 is the condition that was picked (`set_condition`).
 
 {{code: vehicle/cycle_solver.cpp solve_cycle}}
 

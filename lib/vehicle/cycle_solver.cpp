@@ -69,6 +69,22 @@ bool sound(const Unknowns& u) {
   return u.allFinite() && u[18] > 1e-6 && u[19] > 1e-6 && u.norm() < 1e6;
 }
 
+// Row 19: where on the branch the cycle is wanted.
+void set_condition(const BranchCondition& pick, const QuasiLinearCar& car, const Motion& m,
+                   const Unknowns& u, Matrix20& j, Unknowns& r) {
+  if (pick.kind == BranchCondition::hyperplane) {
+    j.row(19) = pick.normal.transpose();
+    r[19] = pick.normal.dot(u) - pick.value;
+  } else if (pick.kind == BranchCondition::speed) {
+    j(19, 19) = 1;
+    r[19] = u[19] - pick.value / speed_scale;
+  } else {
+    const auto size = wheelset_amplitudes(car.car(), m.shape);
+    j.row(19) = amplitude_row(car.car(), pick.wheelset, m.shape) / length_scale;
+    r[19] = (size[static_cast<std::size_t>(pick.wheelset)] - pick.value) / length_scale;
+  }
+}
+
 }  // namespace
 
 Unknowns scaled(const Motion& m) {
@@ -99,17 +115,7 @@ Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unkno
     Unknowns r = residual(e);
     j.row(18) = turn;
     r[18] = turn * u;
-    if (pick.kind == BranchCondition::hyperplane) {
-      j.row(19) = pick.normal.transpose();
-      r[19] = pick.normal.dot(u) - pick.value;
-    } else if (pick.kind == BranchCondition::speed) {
-      j(19, 19) = 1;
-      r[19] = u[19] - pick.value / speed_scale;
-    } else {
-      const auto size = wheelset_amplitudes(car.car(), m.shape);
-      j.row(19) = amplitude_row(car.car(), pick.wheelset, m.shape) / length_scale;
-      r[19] = (size[static_cast<std::size_t>(pick.wheelset)] - pick.value) / length_scale;
-    }
+    set_condition(pick, car, m, u, j, r);
     const Unknowns step = solve(j, r);
     result.update = step.norm();
     if (!step.allFinite() || !(result.update < 1e3)) return result;

@@ -24,48 +24,50 @@ struct Loop {
   const LoopLimits& limits;
   LoopResult result;
 
-  // True when a shape reproduces itself at result.cycle.speed.
-  bool settle() {
-    Motion& m = result.cycle;
-    int switched = 0;
-    for (int k = 0; k < limits.inner; ++k) {
-      const auto gains = car.at(m.shape, m.lambda.imag());
-      Motion next = choose(modes(car, gains, m.speed), m, choice);
-      next.shape = scaled_to(car.car(), next.shape, amplitude);
-      ++result.inner;
-      if (overlap(next.shape, m.shape) < same_mode) ++switched, ++result.switches;
-      const double change = (next.shape - m.shape).norm() / m.shape.norm();
-      m = next;
-      if (change < limits.shape) return true;
-    }
-    result.end = switched > 1 ? LoopEnd::modes_take_turns : LoopEnd::inner_loop_slow;
-    return false;
-  }
-
-  void run() {
-    double speed_before = 0, growth_before = 0;
-    for (result.outer = 1; result.outer <= limits.outer; ++result.outer) {
-      if (!settle()) return;
-      Motion& m = result.cycle;
-      const double growth = m.lambda.real();
-      if (std::abs(growth) < limits.growth) {
-        m.lambda = {0, m.lambda.imag()};
-        result.end = LoopEnd::converged;
-        return;
-      }
-      const double slope = (growth - growth_before) / (m.speed - speed_before);
-      double change = result.outer == 1 ? -std::copysign(0.001 * m.speed, growth)
-                      : slope != 0      ? -growth / slope
-                                        : 0.01 * m.speed;
-      change = std::clamp(change, -0.1 * m.speed, 0.1 * m.speed);
-      if (change == 0) break;
-      speed_before = m.speed;
-      growth_before = growth;
-      m.speed += change;
-    }
-    result.end = LoopEnd::no_speed;
-  }
+  bool settle();  // true when a shape reproduces itself at result.cycle.speed
+  void run();
 };
+
+bool Loop::settle() {
+  Motion& m = result.cycle;
+  int switched = 0;
+  for (int k = 0; k < limits.inner; ++k) {
+    const auto gains = car.at(m.shape, m.lambda.imag());
+    Motion next = choose(modes(car, gains, m.speed), m, choice);
+    next.shape = scaled_to(car.car(), next.shape, amplitude);
+    ++result.inner;
+    if (overlap(next.shape, m.shape) < same_mode) ++switched, ++result.switches;
+    const double change = (next.shape - m.shape).norm() / m.shape.norm();
+    m = next;
+    if (change < limits.shape) return true;
+  }
+  result.end = switched > 1 ? LoopEnd::modes_take_turns : LoopEnd::inner_loop_slow;
+  return false;
+}
+
+void Loop::run() {
+  double speed_before = 0, growth_before = 0;
+  for (result.outer = 1; result.outer <= limits.outer; ++result.outer) {
+    if (!settle()) return;
+    Motion& m = result.cycle;
+    const double growth = m.lambda.real();
+    if (std::abs(growth) < limits.growth) {
+      m.lambda = {0, m.lambda.imag()};
+      result.end = LoopEnd::converged;
+      return;
+    }
+    const double slope = (growth - growth_before) / (m.speed - speed_before);
+    double change = result.outer == 1 ? -std::copysign(0.001 * m.speed, growth)
+                    : slope != 0      ? -growth / slope
+                                      : 0.01 * m.speed;
+    change = std::clamp(change, -0.1 * m.speed, 0.1 * m.speed);
+    if (change == 0) break;
+    speed_before = m.speed;
+    growth_before = growth;
+    m.speed += change;
+  }
+  result.end = LoopEnd::no_speed;
+}
 
 }  // namespace
 
