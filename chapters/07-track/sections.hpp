@@ -22,6 +22,13 @@ inline track::RectifiedSine joint_dip(double inches) {
   return {inches * units::inch, 39 * units::foot};
 }
 
+// P1 and P2 [N] of the leading wheel of a truck of 70 in, at 60 mph over a dip of 0.5 in; `coupled`: the force of
+// each wheel also moves the rail below the other, as at rest.
+struct LeadingPeaks {
+  double first = 0, mean = 0;
+};
+LeadingPeaks leading_peaks(bool coupled);
+
 extern const report::Section drawing;    // of the page's subject and symbols
 extern const report::Section stiffness;  // rail on its foundation: Fig. 1
 extern const report::Section chain;      // from pad to subgrade: Fig. 2

@@ -26,8 +26,9 @@ void estimates_against_truth(report::Item& item, const std::vector<Estimate>& ru
   data.holds_to("*", 0.9, 1e-12, "differences of nearly equal numbers");
   std::ranges::sort(margins);
   item.script(plot::shared("lib/bench") / "estimates.gp");
-  item.at_least("covered", "share of the runs whose true error is within the stated one", "",
-                covered(runs), least, "the share that an error estimate owes its user");
+  item.at_least("covered", "fraction of runs whose true error is within the stated one", "",
+                covered(runs), least,
+                "at least 95 % of true errors must lie within the stated one");
   item.value("covered", fmt::format("{:.0f} % of {}", 100 * covered(runs), runs.size()));
   item.value("median-margin", margins.empty() ? units::nan : margins[margins.size() / 2], "",
              "{:.1g}");

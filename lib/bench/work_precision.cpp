@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -179,6 +180,15 @@ report::Data& show(report::Item& item, const Points& points, const std::string& 
   return data;
 }
 
+Method& Method::labelled(std::string_view pattern) & {
+  for (Setting& setting : settings) {
+    const bool one = setting.label == "1" && pattern.ends_with('s');
+    setting.label =
+        fmt::format(fmt::runtime(pattern.substr(0, pattern.size() - one)), setting.label);
+  }
+  return *this;
+}
+
 std::string label(int size) {
   return std::to_string(size);
 }
@@ -233,17 +243,28 @@ std::string size_of(double error) {
 std::string answer(const Points& points, const std::string& quantity,
                    std::initializer_list<double> errors) {
   std::string text;
+  std::size_t sizes_end = 0;  // where another error goes that the same method meets
+  std::optional<Cheapest> before;
   for (const double error : errors) {
     const Cheapest best = cheapest(points, quantity, error);
-    text += fmt::format("{} {} ", text.empty() ? "For an error of" : "; of", size_of(error));
+    if (before && before->method == best.method && before->setting == best.setting) {
+      const std::string size = " or " + size_of(error);
+      text.insert(sizes_end, size);
+      sizes_end += size.size();
+      continue;
+    }
+    before = best;
+    text += fmt::format("{} {}", text.empty() ? "For an error of" : "; of", size_of(error));
+    sizes_end = text.size();
+    text += ' ';
     const bool timed = !best.method.empty() && best.seconds > 0;
     if (best.method.empty())
       text += "none of the settings tried";
     else
-      text += timed
-                  ? fmt::format("use {}{}{} ({})", best.method, best.setting.empty() ? "" : " at ",
-                                best.setting, duration(best.seconds))
-                  : "(not timed)";
+      text +=
+          timed ? fmt::format("use {}{}{} ({})", best.method, best.setting.empty() ? "" : " with ",
+                              best.setting, duration(best.seconds))
+                : "(not timed)";
   }
   return text + ".";
 }

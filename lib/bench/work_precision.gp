@@ -39,7 +39,7 @@ if (timed > 0 && range[3] > 0) { set xrange [range[3]:range[4]] }
 if (range[6] > low) {
   set object 1 rectangle from graph 0, graph 0 to graph 1, first (range[6] < high ? range[6] : high) \
       fc rgb "#EEEEEE" fs solid noborder behind
-  set label 1 sprintf("grey: below 100 times what the reference is known to, %.0e", range[5]) \
+  set label 1 "grey: less than 100 times the reference's uncertainty, " . gprintf("%.0t·10^{%T}", range[5]) \
       at graph 0.99, graph 0.03 right font ",11" textcolor rgb "#606060"
 }
 top = high / (high / low)**0.03

@@ -5,7 +5,9 @@
 //         item, {"F", exact.force, 1e-15},
 //         {bench::sweep("cg-fft", {63, 127, 255}, by_grid).counts("points
 //         transformed").expects(-1),
-//          bench::sweep("countact", {5, 9, 19}, by_columns).counts("matrix elements")},
+//          bench::sweep("countact", {5, 9, 19}, by_columns)
+//              .labelled("{} columns")
+//              .counts("matrix elements")},
 //         0.5, axes_of_the_chapter);
 //     item.value("answer", bench::answer(points, "F", {1e-3, 1e-5}));   // the sentence under the
 //     panel
@@ -17,6 +19,7 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <railbook/report/item.hpp>
@@ -59,6 +62,9 @@ struct Method {
   Method&& expects(double d_ln_error_by_d_ln_time) && {
     return slope = d_ln_error_by_d_ln_time, std::move(*this);
   }
+  // What its settings are: labelled("{} cells") makes "12 cells" of the label "12".
+  Method& labelled(std::string_view pattern) &;
+  Method&& labelled(std::string_view pattern) && { return std::move(labelled(pattern)); }
   // What its work is a count of.
   Method& counts(std::string unit) & { return work_unit = std::move(unit), *this; }
   Method&& counts(std::string unit) && { return work_unit = std::move(unit), std::move(*this); }
@@ -127,8 +133,8 @@ struct Cheapest {
 Cheapest cheapest(const std::vector<report::WorkPrecision>& points, const std::string& quantity,
                   double error);
 
-// "For an error of 0.1 % use CG-FFT at 48 (1.2 ms); of 10⁻⁸ none of the settings tried." Without
-// timings "(not timed)".
+// "For an error of 0.1 % use CG-FFT with 48 cells (1.2 ms); of 10⁻⁸ none of the settings tried."
+// Without timings "(not timed)".
 std::string answer(const std::vector<report::WorkPrecision>& points, const std::string& quantity,
                    std::initializer_list<double> errors);
 

@@ -12,7 +12,9 @@ solver called {{estimates-force-unresolved}} under-resolved, without a number fo
 
 ## How many digits do the closed forms have?
 
-The closed forms against extended precision (80 bits), at {{arguments}} arguments each:
+The closed forms against extended precision (80 bits), at {{arguments}} arguments each. $b/a$ is the
+ratio of the half-widths of Hertz's ellipse, $\mathrm K$ and its part $\mathrm D$ are the elliptic integrals of his
+formulas, $r/c$ and $y/x$ are places on the plane:
 
 {{digits}}
 
@@ -108,7 +110,7 @@ void estimates(report::Item& item, const std::vector<bench::Estimate>& runs) {
        .reference = "true over stated error; a bound that holds in 95 of 100 is passed by "
                     "less than 2 in a thousand normal ones"},
       [&] {
-        return report::Found{fmt::format("{:.2g} of the stated error", worst), worst};
+        return report::Found{fmt::format("{:.2g} times the stated error", worst), worst};
       });
   item.added("a study of methods");
 }
@@ -166,10 +168,10 @@ void digits(report::Item& item) {
   };
   const auto corner = [](long double y) { return std::asinh(y) + y * std::asinh(1 / y); };
   row(
-      "k", "K", 1e-15, true, [](double t) { return elliptic_integrals(t).k; },
+      "k", "the integral K", 1e-15, true, [](double t) { return elliptic_integrals(t).k; },
       [](double t) { return extended(t).k; });
   row(
-      "d", "D", 1e-15, true, [](double t) { return elliptic_integrals(t).d; },
+      "d", "the integral D", 1e-15, true, [](double t) { return elliptic_integrals(t).d; },
       [](double t) { return extended(t).d; });
   row("hertz", "Hertz's force, from the curvatures", 1e-13, true, force, hertz_force);
   row(

@@ -1,8 +1,9 @@
 /*** ### How slender may a contact be?
 
-As slender as a line contact: down to $b/a=10^{-6}$ nothing is lost. Long patches are the classic
+As slender as a line contact: down to a ratio of the half-widths of $b/a=10^{-6}$ nothing is lost. Long patches are the classic
 danger. Near line contact the elliptic integrals lose all digits if they are asked for $1-(b/a)^2$,
-a logarithm with $y+r$ loses them for slender cells, and an iteration may need as many steps as the
+the influence of a slender cell loses them where it is written with $\ln(y+r)$, $r$ being the
+distance of the corner $(x,y)$, and an iteration may need as many steps as the
 patch is long.
 
 Here the integrals take $(b/a)^2$ itself, the cells have the inverse hyperbolic sine and the shape

@@ -10,7 +10,7 @@
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
 in the way stated, and is *refused* when the program says why it has no number. Bodies that never
-separate, NaN in the gap and grids beyond memory are refused as input.
+separate, gaps that are not numbers and grids beyond memory are refused as input.
 
 {{stability}}
 

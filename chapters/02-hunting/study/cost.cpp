@@ -3,8 +3,10 @@
 
 The case is the cycle of the new wheel at 150 ft/s, with linear creep. *Harmonic balance* solves for
 the coefficients of a sum of sines; it begins at the cycle of the describing functions. *Shooting*
-looks for a state that comes back to itself, and begins at the balance with nine harmonics. The two
-integrators are what one would otherwise take: they run from the cycle of the describing functions
+looks for a state that comes back to itself, and begins at the balance with nine harmonics. It
+integrates in *exact pieces*: between two kinks of the tables the equations are linear, and their
+solution is followed as a Taylor series to the next kink. The two integrators, explicit and
+implicit, are what one would otherwise take: they run from the cycle of the describing functions
 for 20 s, until the transient has died out.
 
 The reference is shooting in exact pieces to a closing error of 1e-13. It shares its method, and not
@@ -21,26 +23,28 @@ because the tables have kinks, and the jump of two-point contact is a ramp only 
 
 ### How do I find out whether a cycle is stable?
 
-The panel shows the error of the largest pair of multipliers over half a period. *Hill's
+A *multiplier* is the factor by which a small disturbance of the cycle has grown after half a
+period; the cycle is stable when all are smaller than 1 in size. The panel shows the error of the
+largest pair. *Hill's
 determinant* works in the harmonics of the cycle and needs no integration. The *variational
-equation* is integrated along the balanced cycle in equal steps, with the laws averaged over each
-step; the branches of the first page use it. The reference is the derivative carried along exact
-pieces, and its uncertainty is what the tolerance of the pieces does to it.
+equation*, which the disturbance obeys, is integrated along the cycle of harmonic balance in equal
+steps, with its coefficients averaged over each step; the branches of the first page use it. The reference integrates
+it in exact pieces, and its uncertainty is what their tolerance changes.
 
 {{multiplier-time}}
 
 {{work-precision: multiplier-time}}
 
-{{multiplier-answer}} More harmonics help Hill's determinant little, because the slope of a law
-jumps where the law has a kink. The variational equation is of second order in its step. From 1024
+{{multiplier-answer}} More harmonics help Hill's determinant little, because the slopes of
+the tables jump at their kinks. The variational equation is of second order in its step. From 1024
 steps on its error is that of the cycle, which is cut at 95 harmonics, and no longer that of the
 steps.
 
 ### How do I solve the equations of the describing functions?
 
-The case is Heumann wheels at 0.2 in, from the mode of the linear car. The paper's two loops are
-stopped at growth rates of $10^{-1}$ to $10^{-7}$ 1/s, and Newton's method with its exact derivative
-after one to three steps (the fourth is at rounding). The reference is the same cycle reached by
+The case is Heumann wheels at 0.2 in, from the mode of the linear car. The paper's pair of nested loops
+is stopped when the rate at which the motion grows is below $10^{-1}$ to $10^{-7}$ 1/s, and Newton's
+method with its exact derivative after one to three steps (the fourth is at rounding). The reference is the same cycle reached by
 continuation.
 
 {{df-time}}
@@ -120,6 +124,7 @@ void cycle_time(report::Item& item) {
                               const std::vector<double>& tolerances) {
     return bench::sweep(name, tolerances,
                         [integrator](double t) { return by_integration(integrator, t); })
+        .labelled("tolerance {}")
         .counts("evaluations");
   };
   const auto by_shooting = [](double tolerance) {
@@ -128,10 +133,13 @@ void cycle_time(report::Item& item) {
   };
   const std::vector<bench::Method> methods{
       bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95}, by_balance)
+          .labelled("{} harmonics")
           .counts("unknowns times iterations"),
-      bench::sweep("shooting", std::vector<double>{1e-3, 1e-5}, by_shooting).counts("steps"),
-      integration("explicit", Integrator::dopri5, {1e-4, 1e-6, 1e-8}),
-      integration("implicit", Integrator::radau5, {1e-3, 1e-5})};
+      bench::sweep("shooting", std::vector<double>{1e-3, 1e-5}, by_shooting)
+          .labelled("tolerance {}")
+          .counts("steps"),
+      integration("explicit integration", Integrator::dopri5, {1e-4, 1e-6, 1e-8}),
+      integration("implicit integration", Integrator::radau5, {1e-3, 1e-5})};
   const double best = of_orbit(closed(1e-13, 1e-15)).values[0];
   const double other = by_integration(Integrator::dopri5, 1e-12).values[0];
   const auto points = bench::measure("cycle-time", {{"amplitude", best, apart(other, best)}},
@@ -175,8 +183,11 @@ void multiplier_time(report::Item& item) {
   };
   const double best = by_pieces(1e-15), uncertainty = apart(by_pieces(1e-12), best);
   const std::vector<bench::Method> methods{
-      bench::sweep("variational equation", {512, 1024, 2048, 4096}, by_variation).counts("steps"),
+      bench::sweep("variational equation", {512, 1024, 2048, 4096}, by_variation)
+          .labelled("{} steps")
+          .counts("steps"),
       bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95}, by_hill)
+          .labelled("{} harmonics")
           .counts("harmonics times iterations")};
   const auto points = bench::measure("multiplier-time", {{"largest pair", best, uncertainty}},
                                      methods, item.timings(), budget);
@@ -212,11 +223,11 @@ void df_time(report::Item& item) {
   const double speed = cycles_at_amplitude(v.car, v.main_branch(), size).at(0).motion.speed;
   const double again = find_cycle(v.car, v.hopf[0].motion, size).cycle.motion.speed;
   const std::vector<double> growths{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
-  const auto points =
-      bench::figure(item, {"V", speed, apart(again, speed)},
-                    {bench::sweep("eigenvector loop", growths, by_loop),
-                     bench::sweep("Newton with exact Jacobian", {1, 2, 3}, by_newton)},
-                    budget, axes);
+  const auto points = bench::figure(
+      item, {"V", speed, apart(again, speed)},
+      {bench::sweep("eigenvector loop", growths, by_loop).labelled("growth rate {} 1/s"),
+       bench::sweep("Newton's method", {1, 2, 3}, by_newton).labelled("{} steps")},
+      budget, axes);
   item.value("df-answer", bench::answer(points, "V", {1e-3, 1e-6}));
 }
 

@@ -100,7 +100,7 @@ Found knots() {
   const auto fine = new_wheel_table(table_mean, 0.00125 * inch);
   const double half = torus_speed(branch_with(vehicle("new").car.car(), fine)),
                whole = torus_speed(true_branch("new"));
-  return {fmt::format("torus at {:.2f} and {:.2f} ft/s", whole / foot, half / foot),
+  return {fmt::format("cycles are stable to {:.2f} and {:.2f} ft/s", whole / foot, half / foot),
           std::abs(half / whole - 1)};
 }
 
@@ -156,25 +156,30 @@ void extremes(report::Item& item) {
                   "creep decays in tens of microseconds, the car weaves with a period of a minute",
                   accurate, 1e-5, "exact pieces, in"},
                  slow);
-  item.stability({"stick", "CN with friction, 90 ft/s, sticking rate 1/4 and 1/16",
-                  "the sign function is approached; a half would be an order of 1/2", degraded, 0.5,
-                  "the change before"},
-                 stick);
+  item.stability(
+      {"stick", "CN wheels with friction, 90 ft/s, sticking rate 1/4 and 1/16",
+       "friction sticks below ever smaller rates: the second change of the amplitude over "
+       "the first",
+       degraded, 0.5, "the change before"},
+      stick);
   item.stability({"leaving", "new wheel, 240 ft/s", "a wheelset reaches the end of its table",
                   accurate, 1e-6, "another integrator, s"},
                  leaving);
   item.stability(
       {"no-cycle", "new wheel, 60 ft/s, balance from 0.3 in", "there is no cycle", refused},
       no_cycle);
-  item.stability({"another", "new wheel, 199 ft/s, second describing-function cycle",
-                  "what closes from there is another cycle", refused},
-                 another);
-  item.stability({"no-spring", "no lateral springs", "the pencil is singular at every speed",
-                  accurate, 1e-6, "springs of 1e-3 N/m"},
-                 [] { return limit(with_spring(0), with_spring(1e-3)); });
-  item.stability({"no-damping", "no friction in any joint", "modes of the body hardly damped",
-                  accurate, 1e-4, "a millionth of the friction"},
-                 [] { return limit(with_friction(0), with_friction(1e-6)); });
+  item.stability(
+      {"another", "new wheel, 199 ft/s, second describing-function cycle",
+       "the describing functions find a cycle that the full equations do not have", refused},
+      another);
+  item.stability(
+      {"no-spring", "no lateral springs", "the eigenvalue problem is singular at every speed",
+       accurate, 1e-6, "springs of 1e-3 N/m"},
+      [] { return limit(with_spring(0), with_spring(1e-3)); });
+  item.stability(
+      {"no-damping", "no friction in any joint", "the modes of the body are hardly damped",
+       accurate, 1e-4, "a millionth of the friction"},
+      [] { return limit(with_friction(0), with_friction(1e-6)); });
   item.stability({"knots", "new wheel, knots half as far apart", "the end of stability", accurate,
                   1e-3, "knots of 0.0025 in"},
                  knots);

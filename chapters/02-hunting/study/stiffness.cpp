@@ -3,7 +3,8 @@
 
 Two things make the car *stiff*, that is, give it decays that are much faster than its motion. Creep
 damps with $1/V$: at 1 ft/s its fastest motion dies in {{decay-time}}, while the car hunts with a
-period of {{period}}. Dry friction, viscous below a sticking rate, damps with one over that rate.
+period of {{period}}. Dry friction that sticks is computed as a stiff damper below a small rate of
+sliding, the sticking rate, and damps with one over that rate.
 
 {{stiffness}} shows what each integrator needs for a slow car over a tenth of its period of hunting,
 and for the car with friction at 90 ft/s over a quarter of a second, with an error below 1e-4 of the
@@ -90,7 +91,7 @@ Cost cost_at_error(const Case& c, const History& reference, Integrator integrato
 // Adds the costs of the cases, in order of falling stiffness, and where the implicit method's cost, in time or, untimed, in
 // steps, meets the explicit one's.
 std::string compare(report::Item& item, const char* name, const std::vector<Case>& cases,
-                    const char* unit) {
+                    const char* what, const char* unit) {
   auto& data = item.data(
       name, {"method", "stiffness", "tolerance", "error", "seconds", "steps", "crossover"});
   data.not_compared("times, and steps that depend on last digits");
@@ -122,9 +123,9 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
   if (!std::isfinite(at)) return fmt::format("One method takes {} over the whole range.", spent);
   for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, timed ? end : 0, end, at);
   return fmt::format(
-      "Below {:.2g} {} use the implicit method, which takes {} than the explicit one; above it the "
-      "explicit one.",
-      at, unit, spent);
+      "Below a {} of {:.2g} {} use the implicit method, which takes {} there than the explicit "
+      "one.",
+      what, at, unit, spent);
 }
 
 void stiff(report::Item& item) {
@@ -146,8 +147,8 @@ void stiff(report::Item& item) {
     sticking.push_back(
         {stick, car_on_track(car, *v.table, 90 * foot), state_of(cycle.motion), 0.25});
   }
-  item.value("speed-answer", compare(item, "", slow, "ft/s"));
-  item.value("sticking-answer", compare(item, "sticking", sticking, "m/s"));
+  item.value("speed-answer", compare(item, "", slow, "speed", "ft/s"));
+  item.value("sticking-answer", compare(item, "sticking", sticking, "sticking rate", "m/s"));
   const Case unit{1, car_at("new", 1), aside(0.2), 0.1 * period_at(1)};
   const double apart =
       error_of(unit.run(Integrator::radau5, 1e-8), unit.run(Integrator::pieces, 1e-13));

@@ -1,7 +1,8 @@
 /***
 Which theory gives a creep force to one per cent, or to a tenth of that, in the least time, and what does
 it cost to set up? For an ellipse that sticks and slides there is no closed form, only the limit of ever
-finer grids. Points that the reference does not know 100 times better are drawn grey. All panels of the
+finer grids. Points are grey where the reference is not at
+least 100 times as accurate. Closed formulas and FASTSIM have the names of the command's option `--theory`. All panels of the
 chapter have the same axes. Times are those of the whole set of cases, with what the method must set up.
 Only tables are made beforehand, as the codes that use them do, and what that costs is given below each
 panel.
@@ -31,8 +32,8 @@ cells, and fitted rows solved with a matrix, are extrapolated here each time and
 
 ### Which theory when the wheel also spins?
 
-There are six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that
-turns them. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
+There are six cases: ellipses with half-widths in the ratio a/b = 0.5, 1.568 and 3 along and across, each
+with a small spin that bends the tractions and a large one that turns them round. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
 {{outcome:spin-fx/judges}}
 
 {{spin-fx}}
@@ -257,7 +258,7 @@ struct Study : Known {
   void add(const std::string& name, std::initializer_list<int> sizes, const LawAt& law_at) {
     bench::Method method{name, {}, 0, "cells times cases"};
     for (const int n : sizes)
-      method.settings.push_back(setting(fmt::format("{0}x{0}", n), law_at(n), n * n));
+      method.settings.push_back(setting(fmt::format("{0} x {0} cells", n), law_at(n), n * n));
     methods.push_back(method);
   }
   void measure(const report::Item& item) {
@@ -275,12 +276,12 @@ struct Study : Known {
     if (q > 0) return;
     item.expect_checks(2);
     item.at_most("routes",
-                 "limits of coarser grids of two kinds, from the reference in standard errors", "",
+                 "distance of two other extrapolations from the reference, in standard errors", "",
                  routes, 2, "rows of one length by transforms, fitted rows by a matrix");
     item.at_most(
         "judges",
-        "limits of coarser grids of two kinds, from the reference over the error of 16 x 16 cells",
-        "", share, 0.5, "a reference nearer to the truth than what it judges");
+        "distance of two other extrapolations from the reference, over the error of 16 x 16 cells",
+        "", share, 0.5, "the reference must be nearer to the truth than what it judges");
   }
   static constexpr const char* quantities[] = {"fx", "fy", "mz"};
 };

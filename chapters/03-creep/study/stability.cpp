@@ -71,7 +71,7 @@ CreepForces solve(double ratio, const Creepage& reduced, Eigen::Index along = 24
 }
 
 Found against(const CreepForces& f, const CreepForces& other) {
-  return {fmt::format("f = {:.3f}, {:.3f}", f.fx, f.fy),
+  return {fmt::format("fx = {:.3f}, fy = {:.3f}", f.fx, f.fy),
           std::hypot(f.fx - other.fx, f.fy - other.fy)};
 }
 

@@ -3,9 +3,8 @@
 
 The task is the 62-ft chord with the high-pass, from short offsets. The input is synthetic track,
 rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference
-has no error but one rounding. It has its weights from the same function of the library as the first
-two methods; sums and stream do not use it. The error is the largest difference over the RMS of the
-answer. All methods get the same array and return another; making weights and plans is counted.
+has no error but one rounding. It shares its weights with the first two methods and nothing with the
+others. The error is the largest difference over the root mean square (RMS) of the answer. All methods get the same array and return another; making weights and plans is counted.
 
 * **weights**: all 661, vectorised.
 * **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this
@@ -196,6 +195,7 @@ bench::Method method(const char* name, double operations, const std::map<int, Sa
                         // One plus the error, against a reference of one.
                         return {{1 + worst / rms(s.exact)}, operations * n, true, ""};
                       })
+      .labelled("{} samples")
       .counts("operations");
 }
 

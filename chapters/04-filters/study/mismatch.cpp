@@ -4,10 +4,11 @@
 ### How well must the analog corner be known?
 
 The digital filter removes the memory of an analog filter whose corner it is given. Resistors and
-capacitors drift, so that the true corner is another. In the table the corners of $B$ and $F$ are
-both off by a fraction $\delta$, and the processing does not know it. The second column is what this
-does to the gain of $BC$, the third figure of gains on the first page; the others are the errors of
-the car at 60 mph over the main line with perfect sensors.
+capacitors drift, so that the true corner is another. In the table the corners of the analog
+filters $B$ (of the yaw gyro) and $F$ (of the accelerometers) are both off by a fraction $\delta$, and
+the processing does not know it. The second column is what this does to the gain of $B$ and of $C$, the
+digital filter that undoes it; the others are the errors of the car at 60 mph over the main line
+with perfect sensors.
 
 {{corner-off}}
 
@@ -20,7 +21,7 @@ cancels.
 
 ### How fine and how steady must the clock be?
 
-The interval $T$ enters the profile squared. A clock that counts in steps rounds each time of
+The time $T$ between two samples enters the profile squared. A clock that counts in steps rounds each time of
 passing to the next step:
 
 {{clock-step}}

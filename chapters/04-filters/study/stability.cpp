@@ -1,6 +1,7 @@
 /*** A filter that keeps no memory beyond two samples has little to go wrong: after a stop of an
-hour it is right at the second sample. What remains at the lower end is rounding, amplified by
-$1/\kappa$ in $C$ and $1/\kappa^2$ in $G$.
+hour it is right at the second sample. With a small $\kappa$, the corner times the time between two
+samples, rounding remains: it is amplified by $1/\kappa$ in $C$, and by $1/\kappa^2$ in $G$, the
+digital filter that undoes the accelerometers' analog one.
 
 In the car's rows the error is the largest of the rows called *good*, and their number is given.
 Profile is not good where a foot within the 661 samples that it depends on was slower than 15 mph or
@@ -122,8 +123,8 @@ report::Found judged(Record record, Parameter parameter = Parameter::profile_lef
   }
   if (good == 0)
     throw report::NoAnswer{
-        fmt::format("{} findings; no row of {} is good", health.findings.size(), m.size())};
-  return {fmt::format("{} finding{}; {} of {} rows good, off by {:.1g} mm at most",
+        fmt::format("{} warnings; no row of {} is good", health.findings.size(), m.size())};
+  return {fmt::format("{} warning{}; {} of {} rows good, off by {:.1g} mm at most",
                       health.findings.size(), health.findings.size() == 1 ? "" : "s", good,
                       m.size(), largest / mm),
           largest};

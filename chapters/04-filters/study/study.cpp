@@ -1,14 +1,15 @@
-/*** # What spoils the filters of a geometry car, what they cost and where they hold
-
-{{include: mismatch.cpp}}
+/*** # Geometry-car filters: what they cost, what spoils them and where they hold
 
 ## Error against run time
 
-Two questions on the arithmetic of the long chord, whichever sensors it is made from.
+Two questions on the arithmetic of the long chord, the distance of the rail from the middle of a
+string of 62 ft, whichever sensors it is made from.
 
 {{include: cost.cpp}}
 
 {{work-precision: cost-length}}
+
+{{include: mismatch.cpp}}
 
 ## Stability
 

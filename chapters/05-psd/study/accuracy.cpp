@@ -1,10 +1,12 @@
-/*** **How much track does it take to know $A$, $\varphi_c$, $B$ and the class?** {{length-answer}}
+/*** ### How much track does it take to know roughness, corner, dip and class?
+
+$A$ is the roughness, $\varphi_c$ the corner and $B$ the dip of the joints. {{length-answer}}
 
 This was counted on {{length-records}} records of zone 12, synthesised from its printed $A$,
 $\varphi_0$, $\varphi_c$ and $B$, on rail of {{length-rail}}. The zone is the hardest of the thirteen
 to classify: its deviation is {{length-margin}} inside the limit of class 3. Each record is read at
 {{length-lengths}} of its length in three ways. *Regression* is this library: Welch's method with
-4096 samples a segment and a regression free of the logarithm's bias. *512 ft* is the same with
+4096 samples a segment and a regression that allows for the bias of a logarithm's mean. *512 ft* is the same with
 segments of 512 ft, the paper's likely analysis. *Ruler* does on segments of 512 ft what the paper
 does by hand. It lays a line of slope −2 through the bins below $\varphi_0$ and one of slope −4
 through those above $3\varphi_0$, without the bins near $\varphi_0$, $2\varphi_0$, $3\varphi_0$ and
@@ -286,7 +288,8 @@ void fig_cost(report::Item& item) {
                               .converged = std::isfinite(read.value[0]),
                               .reason = "no finite A"};
       };
-      methods.back().settings.push_back({fmt::format("{:g} km", study.lengths[i] / km), run});
+      methods.back().settings.push_back(
+          {fmt::format("{:g} km of track", study.lengths[i] / km), run});
     }
   }
   const double doubt =

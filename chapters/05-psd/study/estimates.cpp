@@ -1,9 +1,11 @@
-/*** **Are the stated standard errors true?** {{sweep-records}} records of 5 km at random, from the whole of the paper's range: $A$ from
+/*** ### Are the stated standard errors true?
+
+{{sweep-records}} records of 5 km at random, from the whole of the paper's range: $A$ from
 $10^{-8}$ to $10^{-6}$, corner 0.08 to 0.3 cycle/m, $B$ up to 25 mm. What was put in should lie
 within {{sweep-interval}} stated standard errors to each side in 95 % of them, as for a normal
-error; of the dip it is the power of the line, which may come out negative, that is stated. A share
-counted on so many records is itself uncertain: below {{sweep-least}} it would be less than 95 %,
-with one chance in a hundred of a false alarm among the three.
+error. For the dip, the power of its line is judged, which may come out negative. A fraction counted
+on so many records is itself uncertain: only below {{sweep-least}} would it contradict 95 %, with one
+chance in a hundred of a false alarm among the three.
 
 {{sweep}}
 

@@ -1,10 +1,13 @@
-/*** **Which records break the method, and does it say so?** Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
+/*** ### Which records break the method, and does it say so?
+
+Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
 instead of profiles. Each row changes one thing of a record of zone 7 ({{stability-length}}, a
 sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
-{{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a
-hundred times, and the 1 % that the fit states. It *degrades* when they do not, but the reading says
+{{stability-errors}} of their own standard errors and the 1 % that the fit states; chance alone would
+fail a row in one of a hundred runs of the whole table. It *degrades* when they do not, but the reading says
 so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
-fault in the record). A wrong number without a word would fail.
+fault in the record). A wrong number without a word would fail. The column *result* has the number
+found, and behind “for” the one put in; *misfit* is the residuals over what chance leaves.
 
 The error of a row that holds is the fraction of this allowance that it uses up. That of a row that
 degrades is the relative loss of $A$ or of $B$, whichever is larger. Where the spectrum of the

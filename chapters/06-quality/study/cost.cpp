@@ -3,19 +3,20 @@
 
 The descriptor of waves of 32 m and 1 cm is $A/A_{env}$ in closed form, their amplitude over the
 allowed one. Both ways of filtering cut the weights at 3 to 40 resonant wavelengths, and neither is
-charged for their design. Work counts multiplications for the direct sum and points transformed for
-the blocks.
+charged for their design. The column *work* counts multiplications for the direct sum and
+points transformed for the blocks.
 
 {{fig-filter-time}}
 
-{{filter-answer}} Both have the same error, that of the cut. At a reach of 20 wavelengths,
-{{error-20}}, the transforms take {{ratio-20}} of the time of the direct sum.
+{{filter-answer}} Both have the same error, that of the cut. At a reach of 20 wavelengths it is
+{{error-20}}, and the transforms take {{ratio-20}} of the time of the direct sum.
 
 {{work-precision: fig-filter-time}}
 
 ### How should a body with stops be integrated?
 
-Asked is the stroke at 20 s after a sudden start at 1 Hz with $\kappa$ = 10, some {{switch-count}}
+Asked is the stroke at 20 s after a sudden start at 1 Hz with stops $\kappa$ = 10 times as
+stiff as the spring, which the body meets or leaves some {{switch-count}} times: these are the
 switches. The library's solver follows the exact solution from switch to switch. The reference is an
 integrator of order 5 that locates each switch itself and starts again there, at a tolerance of
 10⁻¹⁴; it shares only the root finder with the solver that it judges. Its uncertainty is the change
@@ -33,16 +34,15 @@ that the chapter searches many starts, and the section on subharmonics below say
 
 ### How should a histogram be carried on from run to run?
 
-The blob of the first page spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car.
+The blob of the first page, a histogram that begins in one cell, spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car.
 What one run leaves is what the next starts from, so that errors add up. Asked is the standard
 deviation after the last run; the similarity solution is the reference.
 
 {{fig-spreading-time}}
 
-{{spreading-answer}} The explicit steps are what one would write in an afternoon. Their number grows
-with the square of the number of cells, while the implicit ones choose theirs: here as many as an
-eighth of the cells in each run. What is left is the cells' error at the edge of the blob, where its
-slope is infinite, and both have it.
+{{spreading-answer}} Explicit steps are the simplest to write, but their number grows with the square of
+the number of cells. The implicit method takes an eighth as many steps as cells in each run. Both keep
+the error of the cells at the edge of the blob, where its slope is infinite.
 
 {{work-precision: fig-spreading-time}}
 
@@ -104,7 +104,8 @@ void fig_filter_time(report::Item& item) {
            [&](double reach) -> bench::Outcome {
              const auto& t = weights(reach);
              return {{filters::filter(t, z)[crest]}, transformed_points(t.half.size()), true, ""};
-           }),
+           })
+           .labelled("{} wavelengths"),
        bench::sweep("direct", reaches,
                     [&](double reach) -> bench::Outcome {
                       const auto& t = weights(reach);
@@ -112,13 +113,14 @@ void fig_filter_time(report::Item& item) {
                               static_cast<double>(samples * t.half.size()),
                               true,
                               ""};
-                    })},
+                    })
+           .labelled("{} wavelengths")},
       item.full() ? 0.5 : 0.02);
   item.value("filter-answer", bench::answer(points, "descriptor", {1e-3, 1e-6, 1e-8}));
   item.value("error-20", points[3].error, "", "{:.0e}");
   item.value("ratio-20", !item.timings() ? "(not timed)"
-                                         : fmt::format("{:.2g}", points[3].seconds_min /
-                                                                     points[8].seconds_min));
+                                         : fmt::format("{:.0f} %", 100 * points[3].seconds_min /
+                                                                       points[8].seconds_min));
   item.added("not in the paper");
 }
 
@@ -233,11 +235,14 @@ void fig_stops_time(report::Item& item) {
                          return {{r.end.x}, static_cast<double>(r.pieces), r.complete, ""};
                        }}}},
        bench::sweep("order 5 restarted at switches", std::vector{1e-5, 1e-7, 1e-9, 1e-11},
-                    [&](double tolerance) { return by_restarts(kinked, end, tolerance); }),
+                    [&](double tolerance) { return by_restarts(kinked, end, tolerance); })
+           .labelled("tolerance {}"),
        bench::sweep("order 5 adapted steps", std::vector{1e-5, 1e-7, 1e-9, 1e-11},
-                    [&](double tolerance) { return by_adapted_steps(kinked, end, tolerance); }),
+                    [&](double tolerance) { return by_adapted_steps(kinked, end, tolerance); })
+           .labelled("tolerance {}"),
        bench::sweep("order 4 fixed steps", {500, 1500, 5000, 15000, 50000},
-                    [&](int count) { return by_fixed_steps(kinked, end, count); })},
+                    [&](int count) { return by_fixed_steps(kinked, end, count); })
+           .labelled("{} steps")},
       item.full() ? 0.5 : 0.02);
   item.value("stops-answer", bench::answer(points, "x", {1e-3, 1e-6, 1e-9}));
   item.value("rk4-order", -bench::observed_slope(points, "x", "order 4 fixed steps"), "", "{:.1f}");
@@ -293,11 +298,12 @@ bench::Outcome by_explicit_steps(int cells) {
 
 void fig_spreading_time(report::Item& item) {
   const double exact = std::sqrt(3.0 / 11) * quality::blob_front(last_run);
-  const auto points =
-      bench::figure(item, {"deviation", exact, 1e-12},
-                    {bench::sweep("implicit", {32, 64, 128, 256, 512}, by_implicit_steps),
-                     bench::sweep("explicit", {32, 64, 128, 256}, by_explicit_steps)},
-                    item.full() ? 0.5 : 0.02);
+  const auto points = bench::figure(
+      item, {"deviation", exact, 1e-12},
+      {bench::sweep("implicit steps", {32, 64, 128, 256, 512}, by_implicit_steps)
+           .labelled("{} cells"),
+       bench::sweep("explicit steps", {32, 64, 128, 256}, by_explicit_steps).labelled("{} cells")},
+      item.full() ? 0.5 : 0.02);
   item.value("visits", visits, "", "{:.0f}");
   item.value("spreading-answer", bench::answer(points, "deviation", {1e-2, 1e-3, 1e-4}));
   item.added("not in the paper");

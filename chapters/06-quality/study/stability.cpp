@@ -59,8 +59,9 @@ Found flat_peak() {
   constexpr double rho = 0.7071;
   const auto peak = quality::stroke_peak(rho);
   const double other = 1 / std::sqrt((1 - std::sqrt(2.0) * rho) * (1 + std::sqrt(2.0) * rho));
-  return {fmt::format("T_max − 1 = {:.3g} at η = {:.5g}", peak.gain - 1, peak.ratio),
-          std::abs(peak.ratio / other - 1)};
+  return {
+      fmt::format("largest gain 1 + {:.3g} at {:.5g} times resonance", peak.gain - 1, peak.ratio),
+      std::abs(peak.ratio / other - 1)};
 }
 
 Found energy(const quality::Run& r) {
@@ -300,7 +301,8 @@ void table_stability(report::Item& item) {
       {{"hill", "waves of 2 km and 5 m", "longer than the filter's reach", degraded, 0.25,
         "the envelope"},
        long_hill},
-      {{"spike", "blob from a single cell", "h³ from 8·10⁶ to 0.5", accurate, 0.01,
+      {{"spike", "blob from a single cell",
+        "the cube of the height, by which it spreads, falls from 8·10⁶ to 0.5", accurate, 0.01,
         "similarity solution"},
        [] { return spike(200); }},
       {{"one-step", "the same in one step", "a step of 10⁹ times the initial time", refused},

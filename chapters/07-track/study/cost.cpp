@@ -1,7 +1,9 @@
 /***
-**Which method gives the deflection under a moving load?** At $\theta$ = 0.5, $\zeta$ = 0.2.
+### Which method gives the deflection under a moving load?
+
+The load runs at $\theta$ = 0.5 of the critical speed $V_c$, with $\zeta$ = 0.2 of critical damping.
 {{moving-answer}} The quadratic factors of the first page are the library's answer; at $V_c$ the
-four roots and residues of the textbook lose half of their digits (*critical*, below). The steady
+four roots and residues of the textbook lose half of their digits (see below). The steady
 finite elements converge with the fourth power of the element until rounding shows: the condition of
 their system grows as fast, so it is solved in 80-bit arithmetic. The lumped model keeps its
 modelling error, {{lumped-error}}. The reference is the Fourier integral
@@ -79,12 +81,14 @@ void cost_moving(report::Item& item) {
       {{"quadratic factors", {{"", [] { return outcome(moving_load(theta, zeta).at_load(), 2); }}}},
        {"four roots", {{"", [] { return outcome(deflection_by_roots(theta, zeta), 4); }}}},
        bench::sweep("lumped at trackside", std::vector<double>{0.75, 0.25},
-                    [](double mu) { return outcome(lumped_at_load(mu), 1); }),
+                    [](double mu) { return outcome(lumped_at_load(mu), 1); })
+           .labelled("{} of the rail's mass"),
        bench::sweep("steady elements", elements,
                     [](double h) {
                       const auto fe = fe_steady(theta, zeta, {.element = h, .neglect = 1e-12});
                       return outcome(fe.at_load, fe.unknowns);
                     })
+           .labelled("elements of {}/β")
            .expects(-4)},
       0.05);
   item.value("moving-answer", bench::answer(points, "the deflection", {1e-3, 1e-8}));

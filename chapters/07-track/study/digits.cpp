@@ -1,14 +1,18 @@
 /***
-**How many digits do the closed forms have?** Each is held against the same quantity in extended
+### How many digits do the closed forms have?
+
+Each is held against the same quantity in extended
 precision, over its range.
 
 {{digits}}
 
-**Is the error that a passage states the true one?** Passages at random: speed 20 to 150 mph, dip
+### Is the error that a passage states the true one?
+
+Passages are drawn at random: speed 20 to 150 mph, dip
 0.05 to 1 in, masses and stiffnesses within a factor of three of the typical ones, the rail's mass
-down to a hundredth, damping 0.02 to 0.5 of critical, tolerance 10⁻⁷ to 10⁻³. Stated is 1.1 times
-the largest change of a peak when the tolerance is a hundredth; that second run makes the answer
-cost {{check-cost}} as many evaluations as the first alone. True is the error of P1 and P2 against
+down to a hundredth, damping 0.02 to 0.5 of critical, tolerance 10⁻⁷ to 10⁻³. The stated error is 1.1
+times the largest change of a peak when the tolerance is a hundredth; that second run makes the answer
+cost {{check-cost}} as many evaluations as the first alone. The true one is that of P1 and P2 against
 GSL's integrator of order 8 at a thousandth of the tolerance, with the peaks located on its own
 motion; it shares the right-hand side with the library's. {{covered}} lie within the statement.
 

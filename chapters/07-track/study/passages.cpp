@@ -1,7 +1,10 @@
 /***
-**Which integrator takes a wheel over a joint?** P1 and P2 over the joint of the first page, at 60
-mph, by the library's explicit integrator of order 5, by its implicit one (Radau IIA) and by GSL's
-explicit one of order 8, each by its tolerance. Order 5 is drawn three times, each time with one
+### Which integrator takes a wheel over a joint?
+
+The panels show P1, the first peak of the contact force, and P2, its second, slower maximum, over
+the joint of the first page at 60 mph. Compared are the library's explicit integrator of order 5,
+its implicit one (Radau IIA) and the explicit one of order 8 of the GNU Scientific Library (GSL), at
+several tolerances. Order 5 is drawn three times, each time with one
 thing less. *Order 5* is what `railbook` runs: it ends a step on the joint and looks in every step
 for a loss of contact, at a cost that grows with the length of the steps. *No search* leaves out
 that look, which order 8 does not have either. *Across the joint* does not end a step on the joint
@@ -12,19 +15,21 @@ the errors of the random passages of {{estimates}}.
 For the typical track order 8 at its tightest agrees with it within {{cost-p1-reference}} for P1 and
 {{cost-p2-reference}} for P2.
 
-**For P1:** {{cost-p1-answer}}
+The first peak, P1. {{cost-p1-answer}}
 
 {{cost-p1}}
 
 {{work-precision: cost-p1}}
 
-**For P2:** {{cost-p2-answer}}
+The second, P2. {{cost-p2-answer}}
 
 {{cost-p2}}
 
 {{work-precision: cost-p2}}
 
-**When does the problem become stiff?** {{mass-answer}} It looks stiff as it is, a contact of
+### When does the problem become stiff?
+
+{{mass-answer}} The track looks stiff as it is, a contact of
 {{contact-stiffness}} on a bed of {{bed-stiffness}}, and is not: the fastest motion, in the contact,
 is also the one whose amplitude is wanted. It becomes stiff when the rail's mass goes to nothing and
 its damper does not. The figure shows what P1 and P2 with an error of 10⁻⁴ take by each method at
@@ -146,6 +151,7 @@ void peak_panel(report::Item& item, double TwoPeaks::*peak, const std::string& q
     return bench::sweep(
                name, tolerances,
                [=](double tolerance) { return as_outcome(joint.adaptive(which, tolerance, ways)); })
+        .labelled("tolerance {}")
         .counts("evaluations");
   };
   const double reference = joint.reference.*peak;

@@ -9,7 +9,7 @@
 
 ## Stability
 
-**Where do the models and the solvers stop working?** Each row strains one thing and says what its
+Where do the models and the solvers stop working? Each row strains one thing and says what its
 answer is held against. A row that *holds* stays within the bound set before; one that *degrades*
 loses accuracy in a known way, by no more than its bound.
 

@@ -80,6 +80,15 @@ TEST_CASE("unit: the figure is drawn, with and without times") {
   if (std::getenv("KEEP") == nullptr) std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("unit: settings are labelled with what they are") {
+  const auto run = [](int) { return bench::Outcome{{1}, 1, true, ""}; };
+  const bench::Method steps = bench::sweep("a", {1, 12}, run).labelled("{} steps");
+  CHECK(steps.settings[0].label == "1 step");
+  CHECK(steps.settings[1].label == "12 steps");
+  CHECK(bench::sweep("a", {12}, run).labelled("{0} x {0} cells").settings[0].label ==
+        "12 x 12 cells");
+}
+
 TEST_CASE("unit: the answer names the cheapest method that stays below the error") {
   const auto point = [](const char* method, const char* setting, double error, double seconds) {
     report::WorkPrecision p;
@@ -96,8 +105,8 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
       point("a", "1", 1e-5, 1e-6), point("a", "2", 1e-2, 2e-6), point("a", "3", 5e-4, 3e-3),
       point("b", "1", 9e-4, 2.5e-3), point("b", "2", 1e-12, 4e-2)};
   CHECK(bench::answer(points, "F", {1e-3, 1e-6, 1e-8}) ==
-        "For an error of 0.1 % use b at 1 (2.5 ms); of 10⁻⁶ use b at 2 (40 ms); of 10⁻⁸ use b at 2 "
-        "(40 ms).");
+        "For an error of 0.1 % use b with 1 (2.5 ms); of 10⁻⁶ or 10⁻⁸ use b with 2 (40 "
+        "ms).");
   CHECK(bench::cheapest(points, "F", 1e-20).method.empty());
   CHECK(bench::answer({point("a", "1", 1e-5, 0)}, "F", {1e-3}) ==
         "For an error of 0.1 % (not timed).");
