@@ -63,6 +63,7 @@ answer creep table --ratios 2 --longitudinal 4 --lateral 4 --spin 3 --points 10
 answer quality measures track.csv
 answer quality compare track.csv later.csv
 answer wheelrail contact --load 50kN --speed 30m/s --method strips
+answer wheelrail measure "$examples/hunting/worn-wheel.csv"
 answer wheelrail table --from 0mm --to 2mm --shifts 2 --speed 30m/s --load 50kN --method strips
 try sensors-2.csv filters simulate --out sensors-2.csv --length 1000ft
 try track-2.csv psd synthesize track-2.csv --length 1km --seed 1

@@ -7,7 +7,8 @@ new rail) with their errors; of several files a row each.
     wheelrail measure left.whl right.whl --body wheel
     wheelrail measure left.ban --body rail --new-rail 60E1
 
-An error is twice the change that profiles half as smooth make, and the scatter of the points.
+An error is twice the change that profiles half as smooth make, and three times the scatter of the points: with these it holds
+for all of 540 gauges of a wheel of arcs and lines with a scatter of 2 to 30 um.
 */
 
 #include <railbook/profiles/gauges.hpp>
@@ -85,7 +86,8 @@ Measured measure(Options options, const std::filesystem::path& file) {
   std::vector<ProfileFit> half;
   const std::vector<Number> other = numbers_of(options, file, half);
   for (std::size_t k = 0; k < other.size(); ++k)
-    m.numbers[k].error = 2 * std::abs(m.numbers[k].value - other[k].value) + m.fits.front().scatter;
+    m.numbers[k].error =
+        2 * std::abs(m.numbers[k].value - other[k].value) + 3 * m.fits.front().scatter;
   return m;
 }
 
@@ -104,6 +106,10 @@ std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::pa
             n.error / millimetre);
     if (swapped(n)) row.warn("negative-wear");
   }
+  std::string left_out;
+  for (const auto& part : m.fits.front().left_out)
+    left_out += (left_out.empty() ? "" : "; ") + part.text;
+  row.add("left_out", left_out);
   for (const auto& warning : m.fits.front().warnings) row.warn(warning.key);
   return {row};
 }
