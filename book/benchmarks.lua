@@ -129,7 +129,8 @@ local function cheapest(list)
   for i, entry in ipairs(out) do
     local best = entry.best
     local accuracy = (i == 1 and "For %s accuracy" or "for %s"):format(entry.level)
-    said[i] = best and ("%s %s (%s)%s %s"):format(accuracy, html.text(best.method), html.text(best.setting), i == 1 and " is cheapest, with" or ", with",
+    local setting = best and best.setting ~= "" and " (" .. html.text(best.setting) .. ")" or ""
+    said[i] = best and ("%s %s%s%s %s"):format(accuracy, html.text(best.method), setting, i == 1 and " is cheapest, with" or ", with",
       html.seconds(tonumber(("%.2g"):format(best.seconds_median)))) or (i == 1 and "No run reaches %s accuracy" or "no run reaches %s"):format(entry.level)
   end
   return #said > 0 and html.tag("p", {class = "cheapest"}, table.concat(said, "; ") .. ".") or ""

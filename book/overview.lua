@@ -263,7 +263,7 @@ end
 -- Folded by chapter: what a reader looks up.
 function overview.verification(records)
   local out = {}
-  local heads = {"computed", "held against", "passed", "difference nearest its bound", "allowed"}
+  local heads = {"computed", "compared with", "passed", "difference nearest its bound", "allowed"}
   for _, r in ipairs(records) do
     local rows, passed, all = second_routes(r), 0, 0
     for _, check in ipairs(r.checks) do
@@ -317,7 +317,7 @@ function overview.claims(path)
   local out = {}
   for i, room in ipairs(order) do
     out[i] = "<h3><code>" .. room .. "</code></h3>" .. html.folded_table("sortable claims",
-      {"function", "error", "claimed below", "worst found", "digits left", "inputs", "held against"}, rooms[room], 14)
+      {"function", "error", "claimed below", "worst found", "digits left", "inputs", "compared with"}, rooms[room], 14)
   end
   return join(out)
 end

@@ -117,7 +117,8 @@ void force_and_moment(report::Item& item) {
   const double inch_lbf = inch * lbf;
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch_lbf;
-  const char* tread = "the tread, a damaged number, is known to 0.8 %, which is worth this";
+  const char* tread =
+      "the tread, a damaged number, is known to 0.8 %, and moves the result by this much";
   item.expect_checks(7);
   item.columns({"",
                 {"COUNTACT-1", "{:.0f}"},

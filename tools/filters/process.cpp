@@ -174,7 +174,7 @@ void add_parameters(tool::Summary& s, const Answer& a) {
       s.absent(name + "_mean", name + ", mean where good", "nowhere good");
       s.add(name + "_note", "  note", note);
     }
-    s.add(name + "_good_percent", "  share that is good", share(Quality::good), "%");
+    s.add_to_json(name + "_good_percent", share(Quality::good), "%");
   }
 }
 

@@ -103,8 +103,8 @@ void add_extent(tool::Summary& answer, const NamedBranch& named) {
   answer.add(named.key + "_points", named.name + ": points", static_cast<double>(points.size()), "",
              to_string(named.branch.stop));
   answer.add(named.key + "_extent", "  searched",
-             fmt::format("{:.4f} to {:.4f} m/s, {:.4f} to {:.4f} mm", slow, fast,
-                         small / millimetre, large / millimetre));
+             fmt::format("{} to {} m/s, {} to {} mm", tool::to_text(slow), tool::to_text(fast),
+                         tool::to_text(small / millimetre), tool::to_text(large / millimetre)));
   if (std::ranges::all_of(points, &LimitCycle::neutral))
     answer.add(named.key + "_stability", "  stability", stability_text(points.front()));
 }

@@ -122,7 +122,7 @@ tool::Summary summary_of(const IndexAnswer& answer) {
   s.add("shortest_m", "shortest wavelength", shortest, "m");
   s.add_error("gain_error", "filter gain wrong by at most", taps.gain_error, "",
               fmt::format("at {:.3g} m", taps.worst_at));
-  s.add("unsure", "share near an end or a gap", builder.unsure(), "", "");
+  s.add("unsure", "fraction near an end or a gap", builder.unsure(), "", "");
   if (builder.unsure() > 0.5)
     s.warn("guessed",
            "the descriptor is mostly guessed: the record is near an end or a gap nearly "

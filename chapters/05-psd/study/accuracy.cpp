@@ -305,7 +305,7 @@ void fig_cost(report::Item& item) {
 const report::Section accuracy{
     report::figure("fig-length",
                    "Twenty kilometres give the roughness to some two per cent. Bias (above) and "
-                   "scatter (below) of roughness, corner and dip, and the share of records with "
+                   "scatter (below) of roughness, corner and dip, and the fraction of records with "
                    "the right class, against the length of the record.",
                    fig_length),
     report::figure("fig-cost",

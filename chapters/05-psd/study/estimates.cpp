@@ -81,9 +81,9 @@ void sweep(report::Item& item) {
   for (const Misses* m : {&of_A, &of_corner, &of_line}) {
     const double share = static_cast<double>(m->covered) / m->records;
     item.add_row(m->what, 100 * share, m->worst);
-    item.at_least(m->id,
-                  fmt::format("share of records whose 95 % interval covers the truth: {}", m->what),
-                  "", share, least(m->records), "95 %, less the chance of counting");
+    item.at_least(
+        m->id, fmt::format("fraction of records whose 95 % interval covers the truth: {}", m->what),
+        "", share, least(m->records), "95 %, less the chance of counting");
   }
   item.at_most(
       "calibration", "stated probability of the class pronounced less the share that is right", "",

@@ -15,7 +15,7 @@ points transformed for the blocks.
 
 ### How should a body with stops be integrated?
 
-Asked is the stroke at 20 s after a sudden start at 1 Hz with stops $\kappa$ = 10 times as
+The question is the stroke at 20 s after a sudden start at 1 Hz with stops $\kappa$ = 10 times as
 stiff as the spring, which the body meets or leaves some {{switch-count}} times: these are the
 switches. The library's solver follows the exact solution from switch to switch. The reference is an
 integrator of order 5 that locates each switch itself and starts again there, at a tolerance of
@@ -35,8 +35,8 @@ that the chapter searches many starts, and the section on subharmonics below say
 ### How should a histogram be carried on from run to run?
 
 The blob of the first page, a histogram that begins in one cell, spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car.
-What one run leaves is what the next starts from, so that errors add up. Asked is the standard
-deviation after the last run; the similarity solution is the reference.
+What one run leaves is what the next starts from, so that errors add up. The question is the
+standard deviation after the last run; the similarity solution is the reference.
 
 {{fig-spreading-time}}
 
