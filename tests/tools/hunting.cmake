@@ -129,6 +129,8 @@ endforeach()
 says("cycle says where nothing stable was found" "WARNING: at 44 m/s the straight run and every cycle found are unstable.*derailed"
      cycle --pair cn --speed 44m/s)
 says("cycle says at which speeds nothing stable was found" "WARNING: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run and every cycle found are unstable: the car does something else" cycle --pair cn)
+says("cycle says where a branch is lost" "could not be followed farther than [0-9.]* m/s, [0-9.]* mm: it may go on" cycle --pair cn
+     --wheel-rail-friction 0.3 --tail 0.01)
 # The torus by a finer tail and finer multipliers: 42.307 m/s.
 says("cycle says how well a torus is known" "torus +42\\.3[01] [+]- 0\\.0[1-6] m/s" cycle --pair cn --largest-amplitude 12mm)
 refuses(hunting "cycle: a datum without a speed" "give --speed" cycle --against warp-stiffness)
