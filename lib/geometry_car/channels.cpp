@@ -90,7 +90,7 @@ std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, dou
     for (std::size_t k = from - std::min(from, block); k < std::min(e.size(), from + 2 * block);
          ++k)
       if (!std::isnan(e[k])) near.push_back(std::abs(e[k]));
-    const double limit = std::max(floor, 12 * 1.4826 * median(near));
+    const double limit = std::max(floor, 12 * 1.4826 * median_of(near));
     for (std::size_t k = std::max<std::size_t>(from, 4); k < std::min(e.size(), from + block);
          ++k) {
       double longest = 0;

@@ -72,12 +72,13 @@ void examine_speed(const Run& run, const Processing& p, Health& health, bool lea
   v[0] = v[1];
   std::size_t steps = 0, first = 0, known = 0, lasting = n;
   double hard = 0;
-  const auto middle = [&](std::size_t from) {
-    return median(Column(v.begin() + static_cast<std::ptrdiff_t>(from),
-                         v.begin() + static_cast<std::ptrdiff_t>(from + about)));
-  };
+  Column middle(n, 0), window(about);  // medians of the rows from each one on
+  for (std::size_t k = 1; k + about <= n; ++k) {
+    std::copy_n(v.begin() + static_cast<std::ptrdiff_t>(k), about, window.begin());
+    middle[k] = median_of(window);
+  }
   for (std::size_t k = about + 1; k + about <= n; ++k) {
-    const double before = middle(k - about), after = middle(k), here = v[k];
+    const double before = middle[k - about], after = middle[k], here = v[k];
     const double rate =
         (after * after - before * before) / (2 * static_cast<double>(about) * p.layout.sample);
     const double beside = std::abs(here * here - before * before) / (2 * p.layout.sample);
@@ -114,6 +115,10 @@ const char* name_of(Fault fault) {
 }
 
 double median(Column values) {
+  return median_of(values);
+}
+
+double median_of(Column& values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -186,13 +191,14 @@ std::vector<Quality> quality(const Measurement& m, Parameter parameter, const Pr
                              const Health& health) {
   const std::size_t n = m.size(), reach = reach_of(parameter, p);
   std::vector<Quality> result = quality(m, parameter, p);
+  const std::vector<Channel> values = sources(parameter, false, p),
+                             means = sources(parameter, true, p);
   std::vector<std::size_t> doubts(n + 1);  // before each row
   for (std::size_t i = 0; i < n; ++i) {
     bool doubt =
         health.place_doubted[i] || (parameter != Parameter::gage && health.clock_doubted[i]);
-    for (const Channel c : sources(parameter, false, p))
-      doubt = doubt || health.doubted[static_cast<std::size_t>(c)][i];
-    for (const Channel c : sources(parameter, true, p))
+    for (const Channel c : values) doubt = doubt || health.doubted[static_cast<std::size_t>(c)][i];
+    for (const Channel c : means)
       doubt = doubt || health.zero_doubted[static_cast<std::size_t>(c)][i];
     doubts[i + 1] = doubts[i] + (doubt ? 1 : 0);
   }

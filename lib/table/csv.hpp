@@ -135,6 +135,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 
 // A number as CSV text: shortest form that keeps so many digits; NaN as "nan".
 std::string csv_number(double value, int digits = 12);
+// The same at the end of a text.
+void append_number(std::string& text, double value, int digits);
 
 // A cell, quoted where the dialect needs it: it reads back as the same text (but for zero bytes,
 // and for an empty row of one column, which is a blank line).

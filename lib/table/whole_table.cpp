@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -73,10 +75,21 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
   return columns;
 }
 
+void append_number(std::string& text, double value, int digits) {
+  if (std::isnan(value)) {
+    text += "nan";  // never "-nan"
+    return;
+  }
+  std::array<char, 64> cell;
+  const auto end = std::to_chars(cell.data(), cell.data() + cell.size(), value,
+                                 std::chars_format::general, digits);
+  text.append(cell.data(), end.ptr);
+}
+
 std::string csv_number(double value, int digits) {
-  if (std::isnan(value))
-    return "nan";  // fmt compares NaNs, which the floating-point traps would stop
-  return fmt::format("{:.{}g}", value, digits);
+  std::string text;
+  append_number(text, value, digits);
+  return text;
 }
 
 std::string csv_cell(std::string_view text) {

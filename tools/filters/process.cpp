@@ -34,6 +34,7 @@ the stretches where that shows; a zero that has moved, and a speed that leapt, a
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -121,23 +122,24 @@ std::string headers() {
   return text + "\n";
 }
 
-std::string line(const Stretch& s, std::size_t i, double first, double sample) {
-  std::string text = fmt::format("{:.9g},{}", first + static_cast<double>(s.m.mark[i]) * sample,
-                                 table::csv_number(s.m.speed[i] / mph));
+void append_line(std::string& text, const Stretch& s, std::size_t i, double first, double sample) {
+  table::append_number(text, first + static_cast<double>(s.m.mark[i]) * sample, 9);
+  text += ',';
+  table::append_number(text, s.m.speed[i] / mph, 12);
   for (const ParameterInfo& info : parameter_list()) {
-    const double value = s.m[info.parameter][i] / info.si;
-    text += std::isnan(value) ? std::string(",nan") : fmt::format(",{:.6g}", value);
+    text += ',';
+    table::append_number(text, s.m[info.parameter][i] / info.si, 6);
   }
-  for (std::size_t q = 0; q < parameters; ++q) text += fmt::format(",{}", word(s.quality[q][i]));
-  return text + "\n";
+  for (std::size_t q = 0; q < parameters; ++q) (text += ',') += word(s.quality[q][i]);
+  text += '\n';
 }
 
 // Rows for a figure: every one, or every second, fourth ... of a long record.
 class Thin {
  public:
-  void add(std::string text) {
+  void add(std::string_view text) {
     if (rows_++ % every_ != 0) return;
-    lines_.push_back(std::move(text));
+    lines_.emplace_back(text);
     if (lines_.size() < most) return;
     for (std::size_t i = 0; 2 * i < lines_.size(); ++i) lines_[i] = std::move(lines_[2 * i]);
     lines_.resize(most / 2);
@@ -266,9 +268,9 @@ void process_record(Options options) {
                      if (rows == nullptr) return;
                      std::string text;
                      for (std::size_t i = s.from; i < s.to; ++i) {
-                       std::string one = line(s, i, file.first(), p.layout.sample);
-                       text += one;
-                       thin.add(std::move(one));
+                       const std::size_t begin = text.size();
+                       append_line(text, s, i, file.first(), p.layout.sample);
+                       thin.add(std::string_view(text).substr(begin));
                      }
                      rows->write(text);
                    }};

@@ -10,7 +10,8 @@
 
 namespace railbook::geometry_car {
 
-double median(Column values);  // 0 of none; no NaN among them
+double median(Column values);      // 0 of none; no NaN among them
+double median_of(Column& values);  // the same, of values whose order does not matter any more
 
 // One sensor's share of a balance by row, m/s^2; what several sensors feel of one motion, which
 // adds up to zero.
