@@ -44,6 +44,7 @@ set_tests_properties("tool: a FIFO that nobody writes to" PROPERTIES LABELS thor
 add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin} ${PROJECT_SOURCE_DIR}/tools/examples)
 add_test(NAME "tool: a person's habits" COMMAND ${here}/habits.sh ${bin})
 add_test(NAME "tool: words on stability and convergence are read by tests" COMMAND ${here}/words.sh ${PROJECT_SOURCE_DIR})
+add_test(NAME "tool: columns of tables are explained by --help" COMMAND ${here}/columns.sh ${PROJECT_SOURCE_DIR} ${bin})
 add_test(NAME "tool: forty examples" COMMAND ${here}/examples.sh ${bin} ${examples})
 add_test(NAME "tool: quality measures find exceptions to FRA classes where they are" COMMAND ${here}/exceptions.sh ${bin})
 add_test(NAME "tool: memory does not grow with the record" COMMAND ${here}/memory.sh ${bin})

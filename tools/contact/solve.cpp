@@ -229,7 +229,7 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "x is across the rail, y along it, from the bodies' own zero; depths go into a body, heights "
       "towards the other one; approach, force, load and pressures are positive as the bodies "
       "press. "
-      "Moments are about the point of first touch. With --out DIR: DIR/pressure.csv has the "
+      "Moments are about the point of first touch. With --out DIR: DIR/pressure.csv has p_MPa, the "
       "pressure of every cell, outline.csv the edges y_low and y_high of each patch over x, "
       "contact.json the answer with its errors under \"errors\".");
   return [options] { run(*options); };

@@ -383,7 +383,9 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "divided by the speed of rolling, spin its turning about z "
       "(positive from x to y). Forces and the moment about z are those of the wheel on the rail: a "
       "positive "
-      "creepage gives a positive force.");
+      "creepage gives a positive force. curve.csv: fx and fy in N, the moment mz in N m, "
+      "stick_share, the part of the area that sticks, error_share, the error of the force over "
+      "what friction bears, mz_error_N_m, that of the moment, and a warning.");
   return [options] {
     options->spin = spin_of(options->spin_text);
     run(*options);

@@ -162,6 +162,20 @@ tool::Tool simulate_tool() {
         o.quantity("--stand", order->stand, units::time, "time at a speed of 0",
                    {1e-3, longest_journey});
         o.choice("--sensors", order->sensors, {"ideal", "typical"}, "with their errors");
+        o.help(
+            "Columns: distance_m; elapsed_s, the encoder's time; vertical_left and vertical_right, "
+            "the "
+            "body's accelerations, positive upwards, without gravity; lateral, of the truck's "
+            "beam, and "
+            "inclinometer, of the body's floor, positive to the left; yaw_rate, positive turning "
+            "left, "
+            "and roll_rate, with the left side rising; height_left and height_right of the body "
+            "over "
+            "the axle, positive upwards; sway_front_a, sway_front_b and sway_rear of the body over "
+            "its "
+            "trucks, positive to the left; gage_left and gage_right from the beam to the rail's "
+            "face, "
+            "positive outwards.");
         return [order] { simulate(*order); };
       }};
 }

@@ -396,7 +396,12 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "where the first one moves about, positive to the left. A multiplier is a magnitude: above 1 "
       "the cycle is unstable. L_over_V is the largest of a wheel, positive as its flange presses "
       "outward; creep_over_friction the largest creep force over what friction bears, 0 to 1. "
-      "stable_mm and unstable_mm are A_mm where the cycle is so, else nan.");
+      "stable_mm and unstable_mm are A_mm where the cycle is so, else nan. cycle.csv has V, the "
+      "speed, "
+      "A_mm, the largest amplitude of the wheelsets, omega, the angular velocity, front_leading, "
+      "front_trailing, rear_leading and rear_trailing, the wheelsets' amplitudes, "
+      "unstable_multipliers, how many are outside the circle, and harmonics, the highest one. "
+      "special.csv names the kind of each special point: a fold, a torus, a branch point.");
   return [options] { run(*options); };
 }
 

@@ -278,7 +278,12 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "of the radii over half the spacing, D half the difference of the angles. contacts.csv: "
       "where wheel and rail touch, outward from the middle of the axle and of the track. "
       "jumps.csv: "
-      "the left wheel's angle and radius before and after, as it goes to the left. Of several "
+      "delta_before, delta_after, r_before and r_after are the left wheel's angle and radius "
+      "before "
+      "and after, as it goes to the left. conicity.csv: amplitude of the wheelset, conicity by the "
+      "chosen rule, by the first_harmonic of the difference of radii and by a fitted_line, and the "
+      "wavelength of the motion. r_L, r_R, delta_L and delta_R are of the left and right wheel, "
+      "wheel_L and rail_L where they touch, axle_height that of the axle's middle. Of several "
       "wheels "
       "or rails: geometry-table.csv and .jsonl, a row a pair.");
   return [options] { run(*options); };

@@ -131,8 +131,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
   parser.help(
       "A growth rate is positive where the motion grows: the straight run is unstable. Lateral "
       "displacements are positive to the left, yaw is positive turning left, roll with the left "
-      "side up. speed.csv: growth and angular velocity omega of the two motions that grow most, "
-      "over the speed V.");
+      "side up. speed.csv: growth_1_per_s and omega_rad_per_s of the motion that grows most at the "
+      "speed V, growth_second and omega_second of the next one.");
   return [options] { run(*options); };
 }
 

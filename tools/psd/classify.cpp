@@ -96,6 +96,12 @@ void add_options(tool::OptionParser& o, Options& w) {
       "depth of a joint below the middle of the rail. odds are probabilities, 0 to 1. A table of "
       "several columns or records\n"
       "has a row for each, and for each --section; its last column lists the warnings."
+      "\n\nColumns of spectrum.csv: phi_cycle_per_m, S_m2_per_cycle_per_m, fitted and A_line; of "
+      "classes.csv and point.csv: B_mm and\n"
+      "A_m2_cycle_per_m with their standard errors B_error_mm and A_error; of warnings.csv: "
+      "column, "
+      "warning, position in m,\n"
+      "size and text."
       "\n\nExample: railbook psd classify track.csv --column profile --out mine\n"
       "         railbook psd classify runs/*.csv --column left,right --section 1km "
       "--out mine");

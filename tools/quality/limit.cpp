@@ -161,19 +161,19 @@ void limit(const Options& options) {
 }  // namespace
 
 tool::Tool limit_tool() {
-  return {"limit", "allowed amplitude of the track for a car of your own",
-          [](tool::OptionParser& o) {
-            auto options = std::make_shared<Options>();
-            add_car_options(o, options->car);
-            o.quantities("--wavelength", options->wavelengths, units::length,
-                         "wavelengths to print", {1e-3, 1e6});
-            o.out(options->out);
-            o.help(
-                "limit.csv has a row a wavelength: the amplitude that is allowed, half of what the "
-                "wave goes up and down, and those by the suspension's stroke and by the wheel "
-                "force alone. All are positive.");
-            return [options] { limit(*options); };
-          }};
+  return {
+      "limit", "allowed amplitude of the track for a car of your own", [](tool::OptionParser& o) {
+        auto options = std::make_shared<Options>();
+        add_car_options(o, options->car);
+        o.quantities("--wavelength", options->wavelengths, units::length, "wavelengths to print",
+                     {1e-3, 1e6});
+        o.out(options->out);
+        o.help(
+            "limit.csv has a row a wavelength: amplitude_cm is what is allowed, half of what the "
+            "wave goes up and down, stroke_cm and force_cm what the suspension's stroke and the "
+            "wheel force alone allow. All are positive.");
+        return [options] { limit(*options); };
+      }};
 }
 
 }  // namespace railbook::quality_tool

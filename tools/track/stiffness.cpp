@@ -277,8 +277,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
   parser.out(options->out);
   parser.help(
       "stiffness.csv: distance along the rail as the wheels' and the joint's; deflection of the "
-      "rail, positive downwards, and the foundation's force on a length of it, positive upwards on "
-      "the rail.");
+      "rail, positive downwards, and support, the foundation's force on a length of it, positive "
+      "upwards on the rail.");
   return [options] { run(*options); };
 }
 
