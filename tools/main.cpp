@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
            {hunting_tool::cycle_tool(), hunting_tool::geometry_tool(), hunting_tool::speed_tool()}},
           {"creep",
            "creep forces of rolling contact",
-           {creep_tool::curve_tool(), creep_tool::table_tool()}},
+           {creep_tool::curve_tool(), creep_tool::history_tool(), creep_tool::table_tool()}},
           {"filters",
            "a track-geometry car: its record, and the geometry in it",
            {filters_tool::process_tool(), filters_tool::simulate_tool()}},

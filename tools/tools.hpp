@@ -24,6 +24,7 @@ tool::Tool speed_tool();
 }  // namespace hunting_tool
 namespace creep_tool {
 tool::Tool curve_tool();
+tool::Tool history_tool();
 tool::Tool table_tool();
 }  // namespace creep_tool
 namespace filters_tool {

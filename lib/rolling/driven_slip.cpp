@@ -26,7 +26,7 @@ double away(double x, double y, double dx, double dy) {
 }  // namespace
 
 Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pressure,
-                            double dissimilarity) {
+                            double dissimilarity, Response response) {
   const auto whole = [](Index n) { return static_cast<std::size_t>(n); };
   const Index n = mesh.along, rows = mesh.rows();
   const double dx = mesh.dx[0], dy = mesh.dy[0];
@@ -35,7 +35,8 @@ Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pres
     for (Index i = 0; i < n; ++i) fft.row(whole(j))[i] = pressure[j * n + i];
   fft.forward();
   const std::vector<std::complex<double>> p(fft.spectrum().begin(), fft.spectrum().end());
-  const double scale = -dissimilarity / (units::pi * dx) /
+  const bool strain = response == Response::strain;
+  const double scale = -dissimilarity / (units::pi * (strain ? dx : 1)) /
                        (static_cast<double>(fft.rows()) * static_cast<double>(fft.columns()));
   Eigen::VectorXd slip(2 * n * rows);
   for (int part = 0; part < 2; ++part) {
@@ -48,7 +49,7 @@ Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pres
       for (Index i = 1 - n; i < n; ++i)
         fft.row(j < 0 ? fft.rows() - whole(-j)
                       : whole(j))[i < 0 ? static_cast<Index>(fft.columns()) + i : i] =
-            scale * (u(i, j) - u(i + 1, j));
+            scale * (u(i, j) - (strain ? u(i + 1, j) : 0));
     fft.forward();
     for (std::size_t k = 0; k < p.size(); ++k) fft.spectrum()[k] *= p[k];
     fft.inverse();

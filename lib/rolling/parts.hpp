@@ -34,9 +34,10 @@ void check_given(const contact::Grid& grid, const Eigen::VectorXd& pressure, con
 Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool remedy);
 
 // The slip [x parts; y parts] to which pressures (per mu N/(a b)) on a uniform mesh drive unlike
-// bodies, from upstream differences of u = -K/pi integral of p (X, Y)/r^2, body 1 against body 2.
+// bodies, from upstream differences of u = -K/pi integral of p (X, Y)/r^2, body 1 against body 2;
+// or that u itself.
 Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pressure,
-                            double dissimilarity);
+                            double dissimilarity, Response response = Response::strain);
 
 // The rigid slip at the points where the upstream difference is the slope: half a cell before the
 // centres.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <railbook/rolling/parts.hpp>
 #include <railbook/units/constants.hpp>
@@ -17,32 +18,46 @@ struct Transient::Parts {
   Given given;
   TangentialInfluence influence;
   StickSlip now;
-  double motion = 0;  // that the last step was solved for
+  double motion = 0;     // that the last step was solved for
+  double dissimilarity;  // K
+  VectorXd pressed;      // the bound during the last step
+  contact::Grid cells;
 
-  Parts(const contact::Grid& cells, const VectorXd& pressure, const RollingCase& what)
+  Parts(const contact::Grid& grid, const VectorXd& pressure, const RollingCase& what, double k)
       : c(what),
-        given(placed(cells, pressure, false)),
+        given(placed(grid, pressure, false)),
         influence(given.grid.mesh, what.poisson, given.grid.mesh.cells() <= 400,
-                  Response::displacement) {
+                  Response::displacement),
+        dissimilarity(k),
+        pressed(given.grid.bound),
+        cells(grid) {
     now.p = VectorXd::Zero(2 * given.grid.mesh.cells());
     now.slides.assign(static_cast<std::size_t>(given.grid.mesh.cells()), false);
   }
-  double force() const { return c.friction * given.load; }
+  double force() const { return c.friction * given.load; }  // the unit, of the first pressure
+  double bound() const {                                    // mu N of now
+    return force() * given.grid.bound.sum() * given.grid.mesh.dx[0] * given.grid.mesh.dy[0];
+  }
 
-  // The tractions as the cells see them after rolling on by one: the contact moves towards +x, what
+  // Values of cells as these see them after rolling on by one: the contact moves towards +x, what
   // was at x + dx is at x.
-  VectorXd passed_back() const {
-    const Index n = given.grid.mesh.along, rows = given.grid.mesh.rows();
-    VectorXd out = VectorXd::Zero(now.p.size());
-    for (Index row = 0; row < 2 * rows; ++row)
-      out.segment(row * n, n - 1) = now.p.segment(row * n + 1, n - 1);
+  VectorXd passed_back(const VectorXd& values) const {
+    const Index n = given.grid.mesh.along;
+    VectorXd out = VectorXd::Zero(values.size());
+    for (Index row = 0; row < values.size() / n; ++row)
+      out.segment(row * n, n - 1) = values.segment(row * n + 1, n - 1);
     return out;
   }
-  // Slip of the step: rigid slip, less the displacement of now, plus that of before.
-  StickSlip step(const VectorXd& rigid, const VectorXd& before) const {
+  // Slip of the step: rigid slip, less the displacement of now, plus that of before, with the
+  // tractions and the bound of before where the cells are now.
+  StickSlip step(VectorXd rigid, const VectorXd& before, const VectorXd& pressed_before) const {
     VectorXd old;
     influence.apply(before, old);
-    return solve_stick_slip(influence, given.grid.mesh, given.grid.bound, rigid + old,
+    rigid += old;
+    if (dissimilarity != 0)
+      rigid += driven_slip(given.grid.mesh, (given.grid.bound - pressed_before) / c.friction,
+                           dissimilarity, Response::displacement);
+    return solve_stick_slip(influence, given.grid.mesh, given.grid.bound, rigid,
                             {.tolerance = 1e-9}, &now);
   }
   StickSlip shifted(double x, double y) const {
@@ -50,24 +65,25 @@ struct Transient::Parts {
     const double unit = force() / (c.shear_modulus * given.length);
     VectorXd rigid(2 * n);
     rigid << VectorXd::Constant(n, x / unit), VectorXd::Constant(n, y / unit);
-    return step(rigid, now.p);
+    return step(std::move(rigid), now.p, pressed);
   }
   StickSlip rolled(const Creepage& creepage) const {
     RollingCase moving = c;
     moving.creepage = creepage;
     const RollingMesh& mesh = given.grid.mesh;
-    return step(mesh.dx[0] * rigid_slip(mesh, given.reduced(moving)), passed_back());
+    return step(mesh.dx[0] * rigid_slip(mesh, given.reduced(moving)), passed_back(now.p),
+                passed_back(pressed));
   }
   CreepForces keep(StickSlip found) {
     CreepForces forces = in_units(given.grid, found, force(), given.length);
-    if (found.converged) now = std::move(found);
+    if (found.converged) now = std::move(found), pressed = given.grid.bound;
     return forces;
   }
 
   // The motion at which a step has the force, by brackets from the last motion and then false
   // position.
   Step for_force(double fx, double scale, const std::function<StickSlip(double)>& solve) {
-    units::require_between("force along over the friction's bound", fx / force(), -0.999, 0.999);
+    units::require_between("force along over the friction's bound", fx / bound(), -0.999, 0.999);
     StickSlip found;
     const auto off = [&](double m) {
       found = solve(m);
@@ -101,18 +117,34 @@ struct Transient::Parts {
   }
 };
 
-Transient::Transient(const contact::Grid& grid, const VectorXd& pressure, const RollingCase& c) {
-  check_given(grid, pressure, c);
-  units::require_positive("friction", c.friction, "");
+namespace {
+
+void check_first_column(const contact::Grid& grid, const VectorXd& pressure) {
   for (Index j = 0; j < grid.ny; ++j)
     if (pressure[j * grid.nx] > 0)
       throw InputError{
           "the first column of the grid has pressure; allowed: an empty one, into which the "
           "contact's tractions roll"};
-  parts_ = std::make_unique<Parts>(grid, pressure, c);
+}
+
+}  // namespace
+
+Transient::Transient(const contact::Grid& grid, const VectorXd& pressure, const RollingCase& c,
+                     double dissimilarity) {
+  check_given(grid, pressure, c);
+  units::require_positive("friction", c.friction, "");
+  units::require_between("dissimilarity K", dissimilarity, -0.5, 0.5);
+  check_first_column(grid, pressure);
+  parts_ = std::make_unique<Parts>(grid, pressure, c, dissimilarity);
 }
 Transient::~Transient() = default;
 
+void Transient::press(const VectorXd& pressure) {
+  check_given(parts_->cells, pressure, parts_->c);
+  check_first_column(parts_->cells, pressure);
+  const Given& first = parts_->given;
+  parts_->given.grid.bound = pressure * (first.length * first.length / first.load);
+}
 CreepForces Transient::shift(double x, double y) {
   return parts_->keep(parts_->shifted(x, y));
 }
@@ -124,10 +156,12 @@ Transient::Step Transient::shift_for(double fx) {
   const double scale = parts_->force() / (parts_->c.shear_modulus * parts_->given.length);
   return parts_->for_force(fx, 0.2 * scale, [&](double x) { return parts_->shifted(x, 0); });
 }
-Transient::Step Transient::roll_for(double fx) {
+Transient::Step Transient::roll_for(double fx, double lateral, double spin) {
   const double unit =
       parts_->force() / (parts_->c.shear_modulus * parts_->given.length * parts_->given.length);
-  return parts_->for_force(fx, 0.05 * unit, [&](double xi) { return parts_->rolled({xi, 0, 0}); });
+  return parts_->for_force(fx, 0.05 * unit, [&](double xi) {
+    return parts_->rolled({xi, lateral, spin});
+  });
 }
 
 }  // namespace railbook::rolling

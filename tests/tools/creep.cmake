@@ -34,6 +34,15 @@ refuses(creep "one ratio for a range" "axis ratios is 1. allowed: from 2" table 
 refuses(creep "a table beyond memory" "nodes of the table is .*allowed: from 12 to 10000000" table ${out} --longitudinal 1000 --lateral 1000)
 refuses(creep "a reach of zero" "reach is 0. allowed" table ${out} --reach 0)
 
+set(histories ${CMAKE_CURRENT_SOURCE_DIR}/creep)
+refuses(creep "a history without places" "no column .distance. or .time." history ${histories}/no-distance.csv ${contact})
+refuses(creep "times without a speed" "give the speed of rolling, --speed" history ${histories}/times.csv ${contact})
+refuses(creep "a force in millimetres" "column .fx_mm. names no unit that fits" history ${histories}/wrong-unit.csv ${contact})
+refuses(creep "a history that goes back" "distance of row 3 is 0.001 m. allowed: not below" history ${histories}/back.csv ${contact})
+refuses(creep "a force of the history beyond friction" "force along of row 1 is .*allowed" history ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv ${contact} --mu 0.1)
+refuses(creep "a history without friction" "friction is 0. allowed" history ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv ${contact} --mu 0)
+refuses(creep "an odd number of cells" "cells along is 9. allowed: an even number" history ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv ${contact} --cells 9)
+
 set(folder ${PROJECT_BINARY_DIR}/ctest)
 add_test(NAME "tool: creep curve answers"
          COMMAND railbook creep curve --config ${PROJECT_SOURCE_DIR}/tools/examples/creep/axes.toml --out ${folder}/creep-curve)
@@ -82,3 +91,16 @@ set_tests_properties("tool: creep curve does not warn of small spin" "tool: cree
 add_test(NAME "tool: creep curve shows the error of the moment" COMMAND ${curve} full --spin 2rad/m)
 set_tests_properties("tool: creep curve shows the error of the moment" PROPERTIES
                      PASS_REGULAR_EXPRESSION "and of the moment +[0-9.e-]+ N[*]m")
+# A brake set at rest: the shift is Cattaneo's, 17.3 um, and the creepage comes to Carter's.
+add_test(NAME "tool: creep history comes to steady rolling" COMMAND railbook creep history
+         ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv --a 6mm --b 4mm --load 80kN --out ${folder}/creep-history)
+set_tests_properties("tool: creep history comes to steady rolling" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "creepage at the end +0[.]0019[0-9]* [+]- .*fx +14000 .*\n +1 +0 +80 +- +17[.][0-9]")
+add_test(NAME "tool: creep history reads times, loads and spin" COMMAND railbook creep history ${histories}/times.csv
+         --a 6mm --b 4mm --load 80kN --speed 10m/s --cells 12)
+set_tests_properties("tool: creep history reads times, loads and spin" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "columns not used +note.*\n +3 +20 +60 +0[.]002")
+add_test(NAME "tool: creep history says what unlike bodies leave out" COMMAND railbook creep history ${histories}/times.csv
+         --a 6mm --b 4mm --load 80kN --speed 10m/s --cells 8 --rail-young 30GPa)
+set_tests_properties("tool: creep history says what unlike bodies leave out" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "WARNING: what the tractions do to the pressure.*Kalker's K")

@@ -20,8 +20,6 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <optional>
 #include <utility>
 
-#include <railbook/contact/hertz.hpp>
-#include <railbook/contact/material.hpp>
 #include <railbook/num/roots.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/material_pair.hpp>
@@ -35,23 +33,17 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
+#include "creep/contact_options.hpp"
 #include "tools.hpp"
 
 namespace railbook::creep_tool {
 
-using namespace contact;
 using namespace rolling;
 
 namespace {
 
-constexpr tool::Range lengths{1e-9, 1e6}, radii{-1e6, 1e6}, moduli{1, 1e15}, ratios{0, 0.5};
-
 struct Options {
-  std::optional<double> a, b;
-  std::optional<double> wheel_radius, wheel_profile, rail_radius, rail_crown;
-  double load = 0;
-  double friction = 0.3;
-  Material wheel = default_steel, rail = default_steel;
+  ContactOptions contact;
   double lateral = 0, spin = 0, from = 0;
   std::string spin_text = "0rad/m";
   std::optional<double> to, force;
@@ -68,70 +60,6 @@ double spin_of(const std::string& text) {
   const double spin = units::parse_quantity(
       "spin", text, per_length ? units::wavenumber : units::angle / units::length);
   return units::require_between("spin", spin, -1e4, 1e4, "rad/m");
-}
-
-double curvature(const char* what, const std::optional<double>& radius) {
-  if (!radius) return 0;
-  if (std::abs(*radius) < 1e-9)
-    throw InputError(
-        fmt::format("{} is {:.6g} m; allowed: at least 1e-9 m either way, "
-                    "negative for a hollow",
-                    what, *radius));
-  return 1 / *radius;
-}
-
-// A contact that is not small against the radii it follows is no contact of half-spaces.
-void judge_size(const Options& options, const HertzContact& hertz, tool::Summary& answer) {
-  double largest = 0;
-  for (const auto& [radius, half] :
-       {std::pair{options.wheel_radius, hertz.a}, std::pair{options.rail_radius, hertz.a},
-        std::pair{options.wheel_profile, hertz.b}, std::pair{options.rail_crown, hertz.b}})
-    if (radius)
-      largest = std::max(largest, half / *radius);  // a hollow is wider than what is in it
-  if (largest >= 1)
-    throw InputError(fmt::format(
-        "the contact's semi-axis is {:.3g} of a radius; allowed: less than 1; give less load",
-        largest));
-  if (largest > 0.2)
-    answer.add(
-        "half_space", "half space",
-        fmt::format(
-            "the contact reaches {:.2g} of a radius: beyond 0.2 half-spaces are a rough model",
-            largest));
-}
-
-RollingCase contact_of(const Options& options, const MaterialPair& pair, tool::Summary& answer) {
-  RollingCase c{.a = 0,
-                .b = 0,
-                .load = options.load,
-                .shear_modulus = pair.shear_modulus,
-                .poisson = pair.poisson,
-                .friction = options.friction,
-                .creepage = {options.from, options.lateral, options.spin}};
-  const bool radii_given =
-      options.wheel_radius || options.wheel_profile || options.rail_radius || options.rail_crown;
-  if (options.a.has_value() != options.b.has_value() || options.a.has_value() == radii_given)
-    throw InputError("give either both semi-axes, a and b, or radii of wheel and rail");
-  const char* source = "given";
-  if (radii_given) {
-    const auto hertz = hertz_from_force({.a = (curvature("wheel radius", options.wheel_radius) +
-                                               curvature("rail radius", options.rail_radius)) /
-                                              2,
-                                         .b = (curvature("wheel profile", options.wheel_profile) +
-                                               curvature("rail crown", options.rail_crown)) /
-                                              2},
-                                        pair.effective_modulus, options.load);
-    c.a = hertz.a, c.b = hertz.b;
-    judge_size(options, hertz, answer);
-    source = "Hertz, from the radii";
-    answer.add("p_max_MPa", "largest pressure", hertz.p_max / units::megapascal, "MPa");
-  } else {
-    c.a = *options.a, c.b = *options.b;
-  }
-  answer.add("a_mm", "semi-axis a, along rolling", c.a / units::millimetre, "mm", source);
-  answer.add("b_mm", "semi-axis b, across", c.b / units::millimetre, "mm", source);
-  check(c);
-  return c;
 }
 
 struct Row {
@@ -282,8 +210,9 @@ void run(const Options& options) {
   tool::OutFolder out(options.out, {"curve.csv", "curve.json", "curve.png"});
   tool::Summary answer("Creep curve");
   answer.add("theory", "theory", options.theory);
-  const MaterialPair pair = combine(options.wheel, options.rail);
-  const RollingCase c = contact_of(options, pair, answer);
+  const MaterialPair pair = combine(options.contact.wheel, options.contact.rail);
+  RollingCase c = contact_of(options.contact, pair, answer);
+  c.creepage = {options.from, options.lateral, options.spin};
   const double bound = c.friction * c.load;
   if (!options.to && bound == 0)
     throw InputError("friction is 0, so that no creepage is large: give the end of the range, to");
@@ -339,29 +268,7 @@ void run(const Options& options) {
 
 std::function<void()> declare(tool::OptionParser& parser) {
   const auto options = std::make_shared<Options>();
-  const std::string hollow = "; straight without it, negative if hollow";
-  parser.quantity("--a", options->a, units::length, "semi-axis of the contact along rolling",
-                  lengths);
-  parser.quantity("--b", options->b, units::length, "and across", lengths);
-  parser.quantity("--wheel-radius", options->wheel_radius, units::length,
-                  "rolling radius of the wheel", radii);
-  parser.quantity("--wheel-profile", options->wheel_profile, units::length,
-                  "radius of the wheel's profile" + hollow, radii);
-  parser.quantity("--rail-radius", options->rail_radius, units::length,
-                  "radius of the rail along rolling, of a roller" + hollow, radii);
-  parser.quantity("--rail-crown", options->rail_crown, units::length,
-                  "radius of the rail's profile" + hollow, radii);
-  parser.quantity("--load", options->load, units::force, "normal load", tool::Range{1e-9, 1e12});
-  parser.required();
-  parser.quantity("--mu", options->friction, units::number, "friction coefficient",
-                  tool::Range{0, 10});
-  parser.quantity("--wheel-young", options->wheel.young, units::pressure, "Young's modulus",
-                  moduli);
-  parser.quantity("--wheel-poisson", options->wheel.poisson, units::number, "Poisson's ratio",
-                  ratios);
-  parser.quantity("--rail-young", options->rail.young, units::pressure, "Young's modulus", moduli);
-  parser.quantity("--rail-poisson", options->rail.poisson, units::number, "Poisson's ratio",
-                  ratios);
+  options->contact.declare(parser);
   parser.quantity("--lateral", options->lateral, units::number, "lateral creepage",
                   tool::Range{-1, 1});
   parser.text("--spin", options->spin_text, "spin creepage, such as 0.2rad/m or 0.2 1/m");
