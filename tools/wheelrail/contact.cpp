@@ -12,7 +12,7 @@ The wheelset turns freely and rolls until both wheels stand at one height, unles
 `--out` adds the cells with their pressures, tractions and the largest von Mises stress in the rail below each, the answer as JSON, and a
 figure: the sections with their patches, and the pressures seen from above. The JSON of the full theory says with
 `model_error_...` how far this program is from CONTACT over that program's test bank: mean (`bias`) and standard deviation
-(`scatter`) of ln(ours/theirs), and the number of values behind them (`count`). Warnings are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
+(`scatter`) of ln(ours/theirs), the mean with ours for cells of no size (`limit`), and the number of values behind them (`count`). Warnings are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
 touches at the end of a profile is refused.
 */
 
@@ -245,6 +245,7 @@ void add_model_errors(tool::Summary& answer) {
     const std::string key = fmt::format("model_error_{}_", m.key);
     answer.add_to_json(key + "bias", m.bias, "");
     answer.add_to_json(key + "scatter", m.scatter, "");
+    answer.add_to_json(key + "limit", m.limit, "");
     answer.add_to_json(key + "count", m.count, "");
   }
 }

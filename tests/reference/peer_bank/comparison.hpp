@@ -12,15 +12,18 @@ namespace railbook::peer_bank {
 
 inline constexpr double mm = units::millimetre, mpa = units::megapascal;  // the bank's units
 
-// `same` is our answer on the bank's own cells, `fine` on cells of half the size (NaN where there
-// is only one of the two). A value is `small` when it is below 2 % of the largest that the quantity
-// can have in this case: its few digits, and a relative difference, say little then.
+// `same` is our answer on the bank's own cells, `fine` on cells of half the size, `limit` what the
+// two lead to with cells of no size: of a history, whose cells make a first-order error in both,
+// twice the change; of all else `fine`, whose error is of a higher order. A value is `small` when
+// it is below 2 % of the largest that the quantity can have in this case: its few digits, and a
+// relative difference, say little then.
 struct Comparison {
   std::string file;
   int number = 0;  // of the case in its file
   std::string quantity;
   double theirs = 0, same = 0, fine = 0;
-  bool small = false;
+  bool small = false, history = false;
+  double limit() const { return history ? 2 * fine - same : fine; }
 };
 
 inline double log_ratio(double ours, double theirs) {
@@ -39,10 +42,10 @@ inline Outcome outcome(const Comparison& c) {
 }
 
 // Of ln(ours/theirs), ours on the finer cells: mean and standard deviation over the comparisons
-// that are not small and whose signs agree.
+// that are not small and whose signs agree; and the mean of the limit.
 struct Statistics {
   int count = 0, agree = 0, cells = 0, differ = 0, small = 0;
-  double bias = 0, scatter = 0;
+  double bias = 0, scatter = 0, limit = 0;
   double explained() const { return count > 0 ? double(agree + cells) / count : 1; }
 };
 
@@ -58,14 +61,17 @@ inline std::map<std::string, Statistics> statistics(const std::vector<Comparison
     }
     ++s.count;
     ++(o == Outcome::agrees ? s.agree : o == Outcome::cells ? s.cells : s.differ);
-    const double x = log_ratio(std::isfinite(c.fine) ? c.fine : c.same, c.theirs);
-    if (std::isfinite(x)) logs[c.quantity].push_back(x);
+    const double x = log_ratio(c.fine, c.theirs);
+    if (!std::isfinite(x)) continue;
+    logs[c.quantity].push_back(x);
+    s.limit += log_ratio(c.limit(), c.theirs);
   }
   for (auto& [quantity, x] : logs) {
     Statistics& s = found[quantity];
     double sum = 0, squares = 0;
     for (double v : x) sum += v;
     s.bias = sum / double(x.size());
+    s.limit /= double(x.size());
     for (double v : x) squares += (v - s.bias) * (v - s.bias);
     s.scatter = x.size() > 1 ? std::sqrt(squares / double(x.size() - 1)) : 0;
   }

@@ -1,8 +1,12 @@
 // The bank's cases of two half-spaces whose gap is a paraboloid (half_space.csv), and our answers.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include <railbook/contact/grid.hpp>
+#include <railbook/rolling/transient.hpp>
 
 #include "comparison.hpp"
 
@@ -19,6 +23,22 @@ struct HalfSpaceCase {
 };
 
 std::vector<HalfSpaceCase> read_half_space(const std::string& file);
+
+// The steady cases of creep_table.csv on the bank's 11 x 11 cells: their creepages and forces are
+// made of its reduced ones.
+std::vector<HalfSpaceCase> read_creep_table(const std::string& file);
+
+// The normal contact on the case's own cells, each parted into `finer` by `finer`; seen along the
+// direction of rolling. SI.
+struct Normal {
+  contact::Grid grid;
+  Eigen::VectorXd p;
+  double approach = 0, force = 0, p_max = 0, area = 0;
+};
+Normal solve_normal(const HalfSpaceCase& c, int finer);
+
+// A contact of this pressure to be shifted and rolled.
+std::unique_ptr<rolling::Transient> start_history(const HalfSpaceCase& c, const Normal& n);
 
 // The answers to the cases of one file of the bank, in its order: a transient goes on from the case
 // before. A normal contact that a file repeats is compared once. Throws std::runtime_error when a
