@@ -254,7 +254,11 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "without "
       "tractions. The semi-axes are those at --load and grow with the cube root of the load.\n"
       "Axes: x forward, y to the right, z down. Forces are those of the wheel on the rail. Full "
-      "theory, extrapolated from cells of two sizes, which gives the errors.");
+      "theory, extrapolated from cells of two sizes, which gives the errors.\n"
+      "history.csv: kind is rolled or shifted; fx, fy and mz, the "
+      "force and the moment about z; stick_share, the part of the area that sticks; error_share, "
+      "the error of the force over what friction bears, mz_error that of the moment, motion_error "
+      "that of the creepage or shift that a given force asks for.");
   return [options] { run(*options); };
 }
 
