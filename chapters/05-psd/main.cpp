@@ -23,8 +23,8 @@ is rough, or whether its joints have sunk.
    take the coefficient $k$ of the roughness from (8) and (9), and the limits from the federal
    standards. Then {{table-3-steady}} of 13 zones have the printed class, however the printed
    numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient itself cannot
-   be read in our copy, and the classes do not tell it: any from {{k-most-low}} to {{k-most-high}}
-   gives at least twelve of them. {{outcome:table-3/zone-12}}
+   be read in our copy. The classes do not determine it either: every value from {{k-most-low}} to
+   {{k-most-high}} gives at least twelve of the thirteen. {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
    says that "the PSD cannot distinguish" them (the PSD is the spectrum). On five miles of its
    jointed zones it hardly can, when depths scatter by half of their mean. At $\varphi_0$ the two

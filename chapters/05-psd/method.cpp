@@ -2,10 +2,11 @@
 
 {{worked}} takes zone 7, a jointed main line, through all steps twice: once with the numbers of the
 paper's Table 1, and once from a record, {{worked-length}} of synthetic track with the zone's $A$,
-$\varphi_c$ and $B$, by the functions of this page. The peak of the record is of another height and
-width than the printed one, because neither belongs to the track alone; its power, and so the dip
-and the class, agree. The library does the same with standard errors, in one pass over a record of
-any length, and for records with gaps and noise. The checks below compare the two.
+$\varphi_c$ and $B$, by the functions of this page. The peak of the record differs from the printed
+one in height and in width, because both depend on the analysis as well as on the track. Its power
+agrees, and with it the dip and the class. The library does the same with standard errors, in one
+pass over a record of any length, and for records with gaps and noise. The checks below compare the
+two.
 
 {{worked}}
 

@@ -2,11 +2,11 @@
 
 Real joints are not equally low. The paper names two extremes ({{fig-05}}): dips that vary at random
 from joint to joint, and dips that come and go in groups, over a soft spot or a bridge. Does the
-spectrum tell them apart? To answer this, joint $j$ is given the dip $B_j=B(1+\mu\,g_j)$, where $\mu$
-is the scatter of the dips over their mean and $g_j$ a normal random number with the correlation
-$\varrho$ between neighbours. For the random dips $\varrho=0$. For the grouped ones
-$\varrho=\cos(\pi/5)$, with which a run of joints deeper than the mean is five joints long on the
-average, the paper's number. Mean and spread are the same.
+spectrum tell them apart? To answer this, joint $j$ is given the dip $B_j=B(1+\mu\,g_j)$, where
+$\mu$ is the scatter of the dips over their mean and $g_j$ a normal random number with the
+correlation $\varrho$ between neighbours. For the random dips $\varrho=0$. For the grouped dips
+$\varrho=\cos(\pi/5)$: then a run of joints deeper than the mean is five joints long on average, as
+in the paper. Mean and spread are the same.
 
 {{fig-05}}
 

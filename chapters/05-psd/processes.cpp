@@ -51,9 +51,9 @@ lines shows it. It must be the variance of the profile, $B^2(\frac12-\frac4{\pi^
 What this makes of the dips depends on how the paper measured its spectra, which it does not say. If
 they were one-sided, as (8) requires, the paper's formula (7) gives dips twice as deep as they are.
 If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by
-$\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10)
-and the tables, the *physical dip* is half of it. The classes do not depend on the choice, because
-the same power of the line enters the rule (10) either way.
+$\sqrt2$. We take them as one-sided and keep two numbers apart: the *printed* $B$, which goes into
+(7), (10) and the tables, and the *physical dip*, which is half of it. The classes do not depend on
+the choice, because the same power of the line enters the rule (10) either way.
 
 The function `line_power` of the library has both conventions. {{lines}} gives the first three lines
 in each.

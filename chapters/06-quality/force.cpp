@@ -30,8 +30,9 @@ cars from `data/cars.csv`. All have a wheel of 800 kg, half the critical damping
 up-and-down motion of the body, at 2 Hz: car A with a body of 7000 kg, car B, a loaded 70-ton car,
 with 11 700 kg, and car C, a loaded 100-ton car, with 14 090 kg. The figure is car A's.
 
-Its curves do not cross. Curves cross when the gain $|G/Z|$ falls with frequency somewhere, for then
-a slower train needs smoother track. The least damping that prevents it depends on $r$ alone:
+The curves of this car do not cross. They would if the gain $|G/Z|$ fell with frequency anywhere,
+because a slower train would then need the smoother track. The least damping that prevents it
+depends on $r$ alone:
 
 {{table-damping}}
 

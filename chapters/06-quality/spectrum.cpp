@@ -7,10 +7,11 @@ caption breaks off at "vertical scale", so that the height of the curve was free
 squared is not a density.
 
 It becomes one when a sine of the allowed amplitude $A$ stands for all waves of a band. The bands
-may be equally wide, which gives the shape of $A^2$, or in equal ratios, which gives $A^2/\varphi$.
-To show what would be compared, the random part of a slow line of the same first author is drawn,
-zone 12 of chapter 05, a rough branch line for 48 km/h. Its density is $S=C/\varphi^2$ up to a
-corner $\varphi_c$ and $C\varphi_c^2/\varphi^4$ beyond, with a constant $C$.
+may all have the same width, which gives the shape of $A^2$, or the same ratio of upper to lower
+edge, which gives $A^2/\varphi$. To show what would be compared, the random part of a slow line of
+the same first author is drawn, zone 12 of chapter 05, a rough branch line for 48 km/h. Its density
+is $S=C/\varphi^2$ up to a corner $\varphi_c$ and $C\varphi_c^2/\varphi^4$ beyond, with a constant
+$C$.
 
 {{fig-08}}
 

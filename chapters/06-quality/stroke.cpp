@@ -57,8 +57,9 @@ $$A(\lambda)=\frac{x_0}{\Gamma(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A_0
 \lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
 
 The library computes with the *severity*, the inverse of the allowed amplitude. In `operator()` the
-severity at full speed is found for each limit. The function `beyond` replaces it by the peak when
-the frequency has passed it and the peak is higher, and the larger of the two limits counts.
+severity at full speed is found for each limit. Where that frequency lies beyond the peak, and the
+peak is higher, the function `beyond` puts the peak in its place. Of the two severities the larger
+counts.
 
 {{code: quality/descriptor.cpp beyond}}
 

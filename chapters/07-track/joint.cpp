@@ -43,9 +43,10 @@ with $\delta$ the ratio $K_j/K_r$ at the joint. The paper does not say what "goo
 the error is to be counted. For the free joint (8) errs by {{free-error-size}} of $K_r$ at most and
 by {{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much
 better. For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the
-root mean square. Leaving the joint out would err by {{hinge-out-rms}} in the root mean square, and
-on {{hinge-worse}} of the distance up to $\xi=2$ that would be nearer to the curve. A factor of
-{{hinge-factor}} suits the pinned joint better, but no monotone formula can follow its second dip.
+root mean square. Ignoring the joint altogether ($K_j=K_r$) errs by {{hinge-out-rms}} in the root
+mean square; on {{hinge-worse}} of the distance up to $\xi=2$ even that is nearer to the curve than
+(8). A factor of {{hinge-factor}} suits the pinned joint better, but no monotone formula can follow
+its second dip.
 
 ::: {.fold summary="A joint in good condition"}
 

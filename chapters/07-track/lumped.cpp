@@ -29,8 +29,9 @@ $$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),$$
 $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
 The shape $a$ is a sum of damped exponentials in time, and for constant loads so is the response.
-The function `state` gives it without time stepping: before a wheel has passed by the forced
-response alone, afterwards by a matrix exponential, with $a$ itself as two more states.
+The function `state` needs no time stepping. Before a wheel has passed, the forced response is the
+whole answer; afterwards a matrix exponential gives it, with the load's shape $a$ carried along as
+two more states.
 
 {{code: track/lumped.cpp state}}
 

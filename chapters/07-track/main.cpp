@@ -28,8 +28,8 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
    one, which carries shear only {{outcome:joint/eq8-pinned}}. The paper does not say which error it
    would still call good.
 3. How much of the track moves with the wheel? The paper says that its mass (15) comes from the
-   first natural frequency of a beam on a foundation. We find the same mass from Rayleigh's estimate
-   of that frequency, which is {{too-high}} too high. {{outcome:masses/natural-frequency}}
+   first natural frequency of a beam on a foundation. Rayleigh's method gives exactly this mass, but
+   its estimate of the frequency is {{too-high}} too high. {{outcome:masses/natural-frequency}}
 :::
 
 ## The paper

@@ -65,11 +65,11 @@ behind it. The points are a check, a finite-element solution of the same differe
 {{fig-amplification}}
 
 At a quarter of $V_c$ the rail sinks {{quarter}} deeper than under a standing load
-({{fig-amplification}}). With the paper's 15 to 25 percent of material damping the deflection at the
-worst speed is {{most-015}} to {{most-025}} times the static one; with 40 percent, the low end of
-its range for radiation, {{most-040}} times; with 100 percent it is largest at rest. The marks show
-where 150 and 250 mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the
-typical track.
+({{fig-amplification}}). With 15 to 25 percent of critical damping, the paper's range for the
+material, the largest deflection at any speed is {{most-015}} to {{most-025}} times the static one;
+with 40 percent, the lower end of its range for waves radiated into the ground, {{most-040}} times;
+with 100 percent no speed gives more than the static deflection. The marks show where 150 and 250
+mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the typical track.
 */
 #include <fmt/format.h>
 
@@ -293,7 +293,7 @@ const report::Section moving{
         "it (right); points are finite elements.",
         shapes),
     report::figure("fig-amplification",
-                   "Up to half of the critical speed hardly anything happens. Largest deflection "
+                   "Up to a quarter of the critical speed hardly anything happens. Largest deflection "
                    "over the static one; the marks are 150 and 250 mph, for the paper's 1100 mph "
                    "and for our typical track.",
                    amplification)};

@@ -36,11 +36,11 @@ It is proportional to $K^{3/4}$ and only to $(EI)^{1/4}$: the ground matters far
 ::: {.fold summary="Ten feet on average track: twice, and of two lengths"}
 
 For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the
-wheel. With 132RE rail it is ten feet for $K$ = {{k-ten-feet}}, and the typical track of this
-chapter was chosen to meet that. Later the paper lets the effect of a joint disappear beyond
-$\beta X=2$, "or roughly 10 feet for average track". This distance is {{reach-ratio}} of the one to
-zero deflection, so both cannot be ten feet exactly, but they can be "roughly" ten feet on one
-track: with $K$ = {{k-both}} they are {{reach-both}} and {{zero-both}}.
+wheel. With 132RE rail it is ten feet if $K$ = {{k-ten-feet}}; the typical track of this chapter was
+chosen to be near that. Later the paper lets the effect of a joint disappear beyond $\beta X=2$, "or
+roughly 10 feet for average track". This distance is {{reach-ratio}} of the one to zero deflection,
+so the two cannot both be exactly ten feet. On one track both can be "roughly" so: with $K$ =
+{{k-both}} they are {{reach-both}} and {{zero-both}}.
 
 :::
 

@@ -7,12 +7,12 @@ wheels: pressing, shifting, rolling from rest, steady rolling and FASTSIM.
 
 {{fig-bank}}
 
-Each case is solved twice: on the bank's own cells and in its own way, of first order in the cells; and
-on cells of half the size, a history of rolling from rest also in steps of half the size. Three outcomes are
-possible. The answer on finer cells is within 1 % of the bank's; or only the one on the same cells is, so that
-the bank's cells make the difference; or neither. Where both answers have an error of first order in the
-cells, as in a history, they lead on to what cells of no size would give, and the last column of the table
-is the mean of that.
+Each case is solved twice: on the bank's own cells with the bank's own scheme, whose error falls in
+proportion to the cells; and on cells of half the size, a history of rolling from rest also in steps
+of half the size. Three outcomes are possible. The answer on finer cells is within 1 % of the
+bank's; or only the one on the same cells is, so that the bank's cells make the difference; or
+neither. Where both answers have an error of first order in the cells, as in a history, they lead on
+to what cells of no size would give, and the last column of the table is the mean of that.
 
 {{bank}}
 

@@ -12,12 +12,12 @@ and derailment are decided by what happens in these patches of half a square cen
 :::
 
 ::: findings
-1. **How good are the forces that this program finds?** On {{wheels}} of 22 wheels of a published
-   benchmark the largest pressure is within {{worst-pressure}} of what CONTACT finds, the program by
-   Kalker's school that serves the field as a reference. The creep force, the friction force that
-   rolling with a little slip makes, is within {{worst-force}} of the friction limit: $\mu N$, with the
-   friction coefficient $\mu$ and the normal force $N$. This holds for patches small enough to be taken
-   as flat.
+1. **How good are the forces that this program finds?** CONTACT, the program of Kalker's school, is
+   the field's reference. On {{wheels}} of the 22 wheels of a published benchmark our largest
+   pressure is within {{worst-pressure}} of its value. The creep force, the friction force of
+   rolling with a little slip, differs from CONTACT's by at most {{worst-force}} of the friction
+   limit $\mu N$, with the friction coefficient $\mu$ and the normal force $N$. This holds for
+   patches small enough to be taken as flat.
 2. **What does a fast method cost in accuracy?** One that cuts the patch into strips along the rolling
    direction, each loaded as by Hertz's formulas (semi-Hertzian), and takes friction from Kalker's
    simplified theory (FASTSIM) can fill tables of thousands of positions. On the same wheels it is off
@@ -34,11 +34,12 @@ forces. It joins the wheel and rail profiles of [chapter 02](02-hunting.html), t
 
 ## The benchmark
 
-The measure is case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), in its part
-A2.2 with yaw, as the open-source version of CONTACT answers it. A wheelset with the European wheel profile S1002 stands on
-rails UIC 60 that lean inwards by 1:40. It carries 20 kN, the friction coefficient $\mu$ is 0.3, and it
-rolls at 2 m/s. It is shifted sideways by 0 to 10 mm and turned about the vertical, *yawed*, by 2.4
-mrad for each millimetre of shift. That makes eleven positions and 22 wheels.
+We compare with case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), in its
+part A2.2 with yaw. The reference values are those of the open-source version of CONTACT. A wheelset
+with the European wheel profile S1002 stands on rails UIC 60 that lean inwards by 1:40. It carries
+20 kN, the friction coefficient $\mu$ is 0.3, and it rolls at 2 m/s. It is shifted sideways by 0 to
+10 mm and turned about the vertical, *yawed*, by 2.4 mrad for each millimetre of shift. That makes
+eleven positions and 22 wheels.
 
 {{fig-patches}}
 
@@ -48,8 +49,8 @@ Directions are $x$ forward along the track, $y$ to the right and $z$ down. On th
 place across, from the circle on which it nominally rolls, and $\theta$ the angle round the axle; its
 radius there is $r(s)$. The wheelset is yawed by $\psi$.
 
-**Where can it touch?** A straight rail has the same profile all along the track. So a point of the wheel
-can touch it only where the wheel's normal has no part along the track,
+**Where can it touch?** A straight rail has the same profile all along the track. So a point of the
+wheel can touch it only where the normal of its surface has no component along the track,
 
 $$ \cos\psi\,\sin\theta+\sin\psi\,r'(s)=0. $$
 
@@ -78,10 +79,10 @@ the mean square
 
 $$ \overline{t^2}=\frac{2b^2}{2m+3}, $$
 
-and over the area in contact itself it is $b^2/4$. The two agree for $m=5/2$. So the plane stands in the
-middle of the area, as nearly as the overlap tells it. On the wheels compared, the middle of the
-pressures found is within {{frame-off}} of the patch's width from it. The power was first chosen because
-the planes then met CONTACT's; this reason came later.
+and over the area in contact itself it is $b^2/4$. The two mean squares agree for $m=5/2$. With this
+power the plane stands in the middle of the true area, as far as the overlap lets one know it. On
+the wheels compared, the middle of the pressures found is within {{frame-off}} of the patch's width
+from it. The power was first chosen because the planes then met CONTACT's; this reason came later.
 
 ## Load, creepage and force
 
@@ -109,10 +110,10 @@ and slide, as in [chapter 03](03-creep.html). Here it works on the patch as it i
 
 {{fig-pressure}}
 
-At this load the largest pressures of all three methods nearly agree: those of strips and of Hertz's
-ellipse are within {{strips-pressure}} and {{hertz-pressure}} of CONTACT's. What the approximate methods
-lack is the patch's own outline and the full theory's tractions. The force along the track, a small part
-of the friction limit, shows it.
+At this load the largest pressures of the three methods nearly agree: strips are within
+{{strips-pressure}} of CONTACT, Hertz's ellipse within {{hertz-pressure}}. What the approximate
+methods lack is the patch's own outline and the full theory's tractions. The force along the track,
+a small part of the friction limit, shows it.
 
 {{fig-force}}
 
