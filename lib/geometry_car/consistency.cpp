@@ -14,8 +14,9 @@ namespace railbook::geometry_car {
 namespace {
 
 constexpr std::size_t block = 128, least_block = 64;
-constexpr double evident = 0.03;    // m/s^2, rms: less of a motion proves nothing
-constexpr double moved_zero = 0.1;  // m/s^2 of the mean: 15 mm of crosslevel
+constexpr double evident = 0.03;        // m/s^2, rms: less of a motion proves nothing
+constexpr double moved_zero = 0.1;      // m/s^2 of a block's mean: 15 mm of crosslevel
+constexpr double shifted_zero = 0.033;  // of the record's mean, which is known to 0.001: 5 mm
 
 // A stretch of a balance, freed of its straight line.
 struct Piece {
@@ -240,6 +241,7 @@ void compare_gages(const Record& record, const Run& run, Health& health) {
 void examine_consistency(const Record& record, const Processing& p, Health& health) {
   std::map<Channel, Found> scales, contradictions, zeros;
   std::size_t rejected = 0;
+  double difference = 0, compared = 0;  // of the inclinometer's zero; rows
   using enum Channel;
   for (Run& run : runs_of(record, p, rejected)) {
     if (run.rows.size() < least_block) continue;
@@ -271,11 +273,14 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
       const Verdict v = judge(pieces);
       for (const Channel c : v.channels)
         doubt(v.factor != 0 ? scales : contradictions, c, v.factor, health.doubted);
-      for (const Piece& s : pieces)
-        if (v.channels.empty() && s.channels.size() > 1 && s.channels[1] == lateral &&
-            std::abs(s.mean) > moved_zero)
+      for (const Piece& s : pieces) {
+        if (!v.channels.empty() || s.channels.size() < 2 || s.channels[1] != lateral) continue;
+        difference += s.mean * static_cast<double>(to - from);
+        compared += static_cast<double>(to - from);
+        if (std::abs(s.mean) > moved_zero)
           for (const Channel c : {inclinometer, height_left, height_right})
             doubt(zeros, c, s.mean, health.doubted);
+      }
     }
   }
   // A sensor that is a factor off somewhere is not trusted anywhere; a contradiction that is met
@@ -302,7 +307,16 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
   for (const auto& [c, f] : contradictions)
     health.findings.push_back(
         {Fault::inconsistent, name(c), f.first, f.rows, 0, "other sensors contradict it"});
-  if (const auto& f = zeros[inclinometer]; f.rows > 0)
+  if (difference /= std::max(compared, 1.0);
+      2 * compared > static_cast<double>(record.size()) && std::abs(difference) > shifted_zero) {
+    health.zero_doubted[static_cast<std::size_t>(inclinometer)].assign(record.size(), true);
+    health.findings.push_back(
+        {Fault::level, "inclinometer", 0, record.size(), difference,
+         fmt::format(
+             "its mean over the record differs from the beam's accelerometer and the roll "
+             "of the heights by {:.2g} m/s^2: a bias of one of them? Crosslevel rests on it",
+             difference)});
+  } else if (const auto& f = zeros[inclinometer]; f.rows > 0)
     health.findings.push_back(
         {Fault::level, "inclinometer", f.first, f.rows, median(f.sizes),
          fmt::format(

@@ -127,7 +127,8 @@ void RecordStream::resync(const Sample& sample, const std::string& why) {
         std::to_string(placed_ + 1) + "); the spacing is " + units::number_text(spacing_) +
         " m; allowed: --resync cut, which parts the record there, --resync count, "
         "which counts on in steps of the spacing, --resample SPACING, which interpolates, or "
-        "--distance none --spacing"};
+        "--distance none --spacing" +
+        (jump < 0 ? "; --where COLUMN=VALUE reads one rail or run of several" : "")};
   length_ += last_position_ - first_position_;
   lengths_ += steps_ - first_step_;
   const bool cut = options_.resync == Resync::cut;

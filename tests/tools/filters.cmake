@@ -70,6 +70,7 @@ warns_of(wrong-unit "NR>1{\$5/=9.80665}" "WARNING: lateral: .* in g under a head
 # Biases that the record itself contradicts; with them, what rests on them is not good.
 warns_of(yaw-bias "NR>1{\$7+=0.5}" "WARNING: yaw_rate: .*--yaw-bias.*crosslevel, mean where good +nowhere good")
 warns_of(roll-bias "NR>1{\$8+=0.5}" "WARNING: roll_rate: .*--roll-bias.*crosslevel, mean where good +nowhere good")
+warns_of(inclinometer-bias "NR>1{\$6+=0.05}" "WARNING: inclinometer: .*by 0.0[45][0-9]* m/s.2: a bias.*crosslevel, mean where good +nowhere good")
 warns_of(vertical-bias "NR>1{\$3+=0.06}" "WARNING: vertical_left: .* above that of vertical_right.*--stages 2")
 add_test(NAME "tool: filters refuses sensors that all stand still"
          COMMAND sh -c "awk -F, -v OFS=, 'NR==2{split(\$0,a,FS)} NR>2{for(i=3;i<=NF;i++)\$i=a[i]} 1' $1 > $2.csv && exec $3 'nothing can be measured' $0 filters process $2.csv --screen still"
