@@ -68,8 +68,7 @@ At a quarter of $V_c$ the rail sinks {{quarter}} deeper than under a standing lo
 ({{fig-amplification}}). With 15 to 25 percent of critical damping, the paper's range for the
 material, the largest deflection at any speed is {{most-015}} to {{most-025}} times the static one;
 with 40 percent, the lower end of its range for waves radiated into the ground, {{most-040}} times;
-with 100 percent no speed gives more than the static deflection. The marks show where 150 and 250
-mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the typical track.
+with 100 percent no speed gives more than the static deflection.
 */
 #include <fmt/format.h>
 
@@ -292,10 +291,11 @@ const report::Section moving{
         "of the rail seen from the load, which runs to the right, without damping (left) and with "
         "it (right); points are finite elements.",
         shapes),
-    report::figure("fig-amplification",
-                   "Up to a quarter of the critical speed hardly anything happens. Largest deflection "
-                   "over the static one; the marks are 150 and 250 mph, for the paper's 1100 mph "
-                   "and for our typical track.",
-                   amplification)};
+    report::figure(
+        "fig-amplification",
+        "Up to a quarter of the critical speed hardly anything happens. Largest deflection "
+        "over the static one; the marks are 150 and 250 mph, for the paper's 1100 mph "
+        "and for our typical track.",
+        amplification)};
 
 }  // namespace railbook::track_chapter

@@ -1,19 +1,24 @@
 #include <railbook/files/out_file.hpp>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <railbook/units/input_error.hpp>
 
@@ -85,17 +90,31 @@ Temporary make_beside(const fs::path& file) {
 // Removes what programs that were killed have left in a folder: temporary files that nobody has
 // written to for a day.
 void sweep(const fs::path& folder) {
-  const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours{24};
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
+  const fs::file_time_type yesterday = fs::file_time_type::clock::now() - std::chrono::hours{24};
+  for (const std::string& name : names_in(folder)) {
     if (!name.starts_with(temporary_start) || !name.ends_with(temporary_end)) continue;
-    if (entry.is_symlink(ignored) || !entry.is_regular_file(ignored)) continue;
-    if (entry.last_write_time(ignored) < yesterday && !ignored) unlink(entry.path().c_str());
+    const fs::path file = folder / name;
+    std::error_code failed;
+    if (!fs::is_regular_file(fs::symlink_status(file, failed))) continue;
+    const fs::file_time_type written = fs::last_write_time(file, failed);
+    if (!failed && written < yesterday) unlink(file.c_str());
   }
 }
 
 }  // namespace
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> open(opendir(folder.c_str()), closedir);
+  std::vector<std::string> names;
+  while (open) {
+    const dirent* entry = readdir(open.get());
+    if (entry == nullptr) break;
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
 
 bool is_standard_output(const fs::path& file) {
   for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})

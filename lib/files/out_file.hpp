@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@
 #include <railbook/files/staged.hpp>
 
 namespace railbook::files {
+
+// The names in a folder, sorted; none if it cannot be read. (std::filesystem's iterator ends the
+// program where memory runs out.)
+std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 // "-", "/dev/stdout" and what else names descriptor 1.
 bool is_standard_output(const std::filesystem::path& file);

@@ -15,9 +15,11 @@ Exit status 0 if every number is met, 1 if not; then the first ten that deviate 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include <railbook/files/out_file.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/digits.hpp>
 #include <railbook/tool/progress.hpp>
@@ -82,19 +84,16 @@ Group read(const std::filesystem::path& file) {
 }
 
 std::vector<Group> read_all(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> tables;
   if (!std::filesystem::is_directory(folder))
     throw InputError(fmt::format("data is \"{}\"; allowed: a folder with the reference numbers",
                                  folder.string()));
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".csv") && !name.starts_with("profile-")) files.push_back(entry.path());
-  }
-  if (files.empty())
+  for (const std::string& name : files::names_in(folder))
+    if (name.ends_with(".csv") && !name.starts_with("profile-")) tables.push_back(folder / name);
+  if (tables.empty())
     throw InputError(fmt::format("data is \"{}\", without a file of numbers", folder.string()));
-  std::ranges::sort(files);
   std::vector<Group> groups;
-  for (const auto& file : files) groups.push_back(read(file));
+  for (const auto& file : tables) groups.push_back(read(file));
   return groups;
 }
 
