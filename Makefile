@@ -72,7 +72,7 @@ new-chapter:      ## a chapter to start from: make new-chapter NN=08-name
 headline:         ## write the table of what became of each paper into README.md, from the chapters that have been run
 	@cmake -DRESULTS=$(CURDIR)/$(BUILD)/results -P cmake/headline.cmake
 
-accept-digits: chapter-programs ## write how many digits of each number hold in all modes of rounding into tests/digits
+accept-digits: chapter-programs ## write how many digits of each number hold in all modes of rounding (and RUNS) into tests/digits
 	@cmake --build $(BUILD) --target digits
 	@ACCEPT=1 tests/digits/modes.sh $(BUILD) tests/digits $$(find $(BUILD) -name digits -type f -perm -u+x) $(CHAPTERS)
 

@@ -2,7 +2,8 @@
 # tests/matrix.sh [CHAPTER...]: do the chapters say the same whatever compiles them and wherever they run? Each of GCC and Clang at
 # -O0, -O2 and -O3 builds them in build/matrix; each build runs them with the processor's mathematics and with that of one without fused
 # multiply-add, on one core and on all. Every check must pass, and every value and sentence be the same text (same_text) as
-# those of GCC at -O2, what readers have. An hour and a half of one core for all chapters; `tests/matrix.sh 05-psd` takes one.
+# those of GCC at -O2, what readers have. An hour and a half of one core for all chapters; `tests/matrix.sh 05-psd` takes one. With
+# ACCEPT=1 the digits that all these runs and the modes of rounding have in common are written into tests/digits.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 build=$PWD/build/matrix
@@ -41,5 +42,9 @@ for level in -O2 -O3 -O0; do # the longest last
     done
   done
 done
+if [[ -n ${ACCEPT:-} ]]; then
+  cmake --build build --target digits "${chapters[@]#*-}" || exit 1
+  RUNS=$(echo "$build"/*/run-*) tests/digits/modes.sh "$PWD/build" tests/digits "$(find build -name digits -type f -perm -u+x)" "${chapters[@]}" || failed=1
+fi
 ((failed == 0)) && echo "all checks pass, and all text is the same"
 exit "$failed"

@@ -1,12 +1,14 @@
-// How many significant digits of each check's number are the same however arithmetic rounds.
+// How many significant digits of each check's number are the same however arithmetic rounds, and
+// whatever compiled it.
 //
 //   digits RESULTS TABLES [--accept]
 //
-// RESULTS holds results/NN-name.json, of arithmetic to nearest, and rounding-up, -down and -zero
-// with the same. TABLES/NN-name.csv says for each check how many digits hold; fewer than six have a
-// reason in TABLES/reasons.csv, so has a check that fails in another rounding. With --accept the
-// tables are written anew. A number that holds fewer digits than its table says, by more than one,
-// fails, and so does one without a reason, or a reason that is not needed when they are written.
+// RESULTS holds results/NN-name.json, of arithmetic to nearest, and folders with the same of other
+// runs: rounding-up, -down and -zero, another processor's mathematics, other compilers.
+// TABLES/NN-name.csv says for each check how many digits all have in common; fewer than six have a
+// reason in TABLES/reasons.csv, so has a check that fails in one of them. With --accept the tables
+// are written anew. A number that holds fewer digits than its table says, by more than one, fails,
+// and so does one without a reason, or a reason that is not needed when they are written.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -28,7 +30,7 @@ constexpr int enough = 6, most = 15;
 
 struct Found {
   int digits = most;
-  bool fails = false;  // in another rounding
+  bool fails = false;  // in another run
 };
 
 Json read(const fs::path& file) {
@@ -55,6 +57,10 @@ std::map<std::string, Found> digits_of(const fs::path& results, const std::strin
   std::vector<Json> records{read(results / "results" / name)};
   for (const char* mode : {"up", "down", "zero"})
     records.push_back(read(results / ("rounding-" + std::string(mode)) / "results" / name));
+  for (const auto& run : fs::directory_iterator(results))
+    if (const fs::path record = run.path() / "results" / name;
+        !run.path().filename().string().starts_with("rounding-") && fs::exists(record))
+      records.push_back(read(record));
   std::vector<std::map<std::string, const Json*>> maps;
   for (const Json& record : records) maps.push_back(checks_of(record));
   std::map<std::string, Found> all;
@@ -118,7 +124,7 @@ int compare(const fs::path& results, const fs::path& tables, bool accept) {
         needed[name] = true;
         if (!reasons.contains(name))
           fail(name + ": " + std::to_string(f.digits) + " digits hold" +
-               (f.fails ? ", it fails in another rounding" : "") + ", without a reason");
+               (f.fails ? ", it fails in another run" : "") + ", without a reason");
       }
       if (!stated.contains(id))
         fail(name + " is not in its table: make accept-digits");
