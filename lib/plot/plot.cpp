@@ -161,11 +161,12 @@ void require_file(const fs::path& script, std::string_view what, const fs::path&
 }
 
 std::string contents(const fs::path& file) {
-  std::ostringstream whole;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw PlotError("file " + files::quoted_name(file) + ": cannot be read");
-  whole << in.rdbuf();
-  return whole.str();
+  std::error_code error;
+  std::string whole(in ? fs::file_size(file, error) : 0, '\0');
+  if (error || !in.read(whole.data(), static_cast<std::streamsize>(whole.size())))
+    throw PlotError("file " + files::quoted_name(file) + ": cannot be read");
+  return whole;
 }
 
 enum class Format { png, svg };

@@ -57,13 +57,13 @@ answer quality index track.csv --speed 100km/h
 answer quality limit --speed 100km/h
 answer track joint --speed 60mph --dip 0.5in
 answer track stiffness
+answer wheelrail contact --load 50kN --speed 30m/s --method strips
 figures=() # these draw none
 [ "$FAIL_CALL" = fork ] && { echo "$runs runs" && exit $bad; }
 answer creep history "$examples/creep/braking.csv" --a 6mm --b 4mm --load 80kN --mu 0.3 --cells 8
 answer creep table --ratios 2 --longitudinal 4 --lateral 4 --spin 3 --points 10
 answer quality measures track.csv
 answer quality compare track.csv later.csv
-answer wheelrail contact --load 50kN --speed 30m/s --method strips
 answer wheelrail measure "$examples/hunting/worn-wheel.csv"
 answer wheelrail table --from 0mm --to 2mm --shifts 2 --speed 30m/s --load 50kN --method strips
 try - verify

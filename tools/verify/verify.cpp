@@ -16,11 +16,12 @@ Exit status 0 if every number is met, 1 if not; then the first ten that deviate 
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include <railbook/files/out_file.hpp>
+#include <railbook/files/outside.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/table/line_source.hpp>
 #include <railbook/tool/digits.hpp>
 #include <railbook/tool/progress.hpp>
 #include <railbook/tool/summary.hpp>
@@ -45,9 +46,9 @@ struct Group {
   std::vector<Reference> numbers;
 };
 
-std::string comment(std::ifstream& in, const std::filesystem::path& file) {
+std::string comment(table::LineSource& lines, const std::filesystem::path& file) {
   std::string line;
-  if (!std::getline(in, line) || !line.starts_with("# "))
+  if (!lines.next(line) || !line.starts_with("# "))
     throw InputError(
         fmt::format("file \"{}\" does not begin with two lines \"# title\" and \"# "
                     "source\"",
@@ -58,9 +59,9 @@ std::string comment(std::ifstream& in, const std::filesystem::path& file) {
 Group read(const std::filesystem::path& file) {
   Group group;
   group.name = file.stem().string();
-  std::ifstream in(file);
-  group.title = comment(in, file);
-  group.source = comment(in, file);
+  table::LineSource lines(file);
+  group.title = comment(lines, file);
+  group.source = comment(lines, file);
   table::CsvReader reader(file);
   const auto of = reader.column("of"), at = reader.column("at"),
              expected = reader.column("expected"), within = reader.column("within");
@@ -114,6 +115,8 @@ Verdict judge(const Reference& number, const Quantities& quantities) {
             fmt::format("{} is {:.10g}; expected: {:.10g}, within {:.2g}", name, value,
                         number.expected, number.within)};
   } catch (const InputError&) {
+    throw;
+  } catch (const files::OutsideError&) {
     throw;
   } catch (const std::runtime_error& error) {
     return {units::infinity, fmt::format("{}: {}", name, error.what())};
