@@ -40,6 +40,11 @@ cat steps2/wheelrail-table.csv steps17/wheelrail-table.csv | awk -F, '
     if (!(stated > 0.9 * largest && stated <= 1.001 * largest)) { print "stated " stated ", largest " largest; exit 1 }
   }' || fail "the error of interpolation does not hold"
 grep -q "[,;]method" steps2/wheelrail-table.csv || fail "strips 27 % off the full theory have no flag"
+# A wheel file that ends before its flange is answered, with a warning in Nadal's limit's place.
+awk -F, '/^[#i]/ || $1 < 10' "${0%/*}/../../tools/examples/hunting/worn-wheel.csv" >tread.csv
+"$railbook" wheelrail contact --wheel tread.csv --load 50kN --speed 20m/s --roll 0rad --slip 0 --method strips >said || fail "$(cat said)"
+grep -q "WARNING: the wheel has no flange, its steepest place rises by [0-9.]* degrees: is the profile whole?" said || fail "no flange: $(cat said)"
+grep -q "Nadal" said && fail "a limit of a flange that is not there"
 # With nothing to read there is no table.
 printf 'x' >wheel.csv
 table --wheel wheel.csv --out other >said 2>&1 && fail "a file of one letter is no profile"
