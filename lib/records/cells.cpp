@@ -1,6 +1,8 @@
 #include <railbook/records/detail/cells.hpp>
 
+#include <algorithm>
 #include <charconv>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -12,8 +14,10 @@ namespace railbook::records {
 Cells::Cells(const RecordFile& source, const table::CsvReader& reader) : reader_(reader) {
   for (const std::string& text : source.missing) {
     double number = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (status == std::errc{} && end == text.data() + text.size())
+    std::string point = text;
+    std::replace(point.begin(), point.end(), ',', '.');
+    const auto [end, status] = std::from_chars(point.data(), point.data() + point.size(), number);
+    if (status == std::errc{} && end == point.data() + point.size())
       numbers_.push_back(number);
     else
       texts_.push_back(text);

@@ -107,6 +107,11 @@ double Positions::metres(std::size_t i, double number) const {
                      : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::optional<table::TwoParts> Positions::two_parts() const {
+  if (columns.size() != 1 || yards || major == 0) return std::nullopt;
+  return table::TwoParts{columns[0], major, minor, in_two ? 0 : metre[0]};
+}
+
 std::optional<Positions> positions_of(const RecordFile& source, const table::CsvReader& reader,
                                       const std::vector<std::string>& below) {
   const auto [first, second] = cut_at_plus(source.distance);

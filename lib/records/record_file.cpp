@@ -137,6 +137,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
   for (const std::size_t c : column) height_at.push_back(place_of(c));
   if (positions)
     for (const std::size_t c : positions->columns) position_at.push_back(place_of(c));
+  const std::optional<table::TwoParts> parts = positions ? positions->two_parts() : std::nullopt;
   std::vector<double> numbers(plain.size() * block), at(positions ? block : 0),
       heights(columns.size() * block), row(columns.size());
   std::size_t unreported = 0, empty = 0;
@@ -172,7 +173,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     hand_on();
   };
   while (true) {
-    std::size_t rows = pending || !where.all() ? 0 : reader.numbers(plain, numbers);
+    std::size_t rows =
+        pending || !where.all() ? 0 : reader.numbers(plain, numbers, parts ? &*parts : nullptr);
     const bool all_plain = rows > 0;
     if (!all_plain && !pending && !reader.next()) break;
     pending = false;
@@ -182,11 +184,6 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       continue;
     }
     if (!all_plain && !where.fits()) continue;
-    if (all_plain && positions && positions->in_two) {
-      throw InputError{table::quoted_name(source.file) + ", line " + std::to_string(reader.line()) +
-                       ": " + quoted(reader.header()[positions->columns[0]]) +
-                       " holds a plain number; allowed: 12+345, as its unit says"};
-    }
     for (; empty > 0; --empty) {
       for (std::size_t i = 0; i < columns.size(); ++i) heights[i * block] = lost;
       add_rows(1);
@@ -196,7 +193,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     for (std::size_t i = 0; all_plain && i < position_at.size(); ++i) {
       const double* const from = &numbers[position_at[i] * block];
       for (std::size_t r = 0; r < rows; ++r) {
-        at[r] += positions->metres(i, from[r]);
+        at[r] += parts ? from[r] : positions->metres(i, from[r]);
         if (std::isnan(at[r]) && !std::isnan(from[r]))
           throw InputError{table::quoted_name(source.file) + ", line " +
                            std::to_string(reader.line()) +

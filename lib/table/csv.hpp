@@ -39,6 +39,13 @@ struct TextOptions {
   char decimal = 0;              // the point or the comma of numbers; 0: as the file has them
 };
 
+// A column whose cells may be a whole number and a second one behind a plus, as 12+345.6.
+struct TwoParts {
+  std::size_t column = 0;
+  double first = 0, second = 0;  // what they are multiplied by before they add up
+  double alone = 0;              // the same of a number without a plus; 0: not allowed
+};
+
 // Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file
 // and the line; what the reading itself throws is LineSource's.
 class CsvReader {
@@ -64,10 +71,12 @@ class CsvReader {
   std::string_view cell(std::size_t column) const { return cells_[column]; }
 
   // The numbers in some columns (ascending) of the rows that follow, without cells: of as many rows
-  // as `values` has room for and are in memory, up to one that is not all plain; next() and
-  // number() then read that row, or say what is wrong. Row r of the i-th column goes to values[i *
-  // rows + r], where rows = values.size() / columns.size(). Returns how many rows were read.
-  std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values);
+  // as `values` has room for and are in memory, up to one that is not all plain (an empty cell, an
+  // escaped quote, a decimal comma before the first one was seen); next() and number() then read
+  // that row, or say what is wrong. Row r of the i-th column goes to values[i * rows + r], where
+  // rows = values.size() / columns.size(). Returns how many rows were read.
+  std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values,
+                      const TwoParts* parts = nullptr);
 
   // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN",
   // "NA", "N/A", "null" and dashes, are NaN; anything else throws, so does a number that rounds to
@@ -80,8 +89,6 @@ class CsvReader {
   double share() const { return source_.share(); }  // LineSource's
 
  private:
-  const char* plain_row(const char* at, const char* end, std::span<const std::size_t> columns,
-                        double* values, std::size_t rows);
   bool raw_line(std::string_view& text);
   bool record();
   bool split(std::string_view text);

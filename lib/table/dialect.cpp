@@ -24,8 +24,10 @@ std::size_t count(std::string_view line, char separator) {
   return n;
 }
 
+// Also of a position such as 12+345,6.
 bool is_number(std::string_view word) {
   std::string text{word};
+  if (const std::size_t plus = text.find('+', 1); plus != text.npos) text.erase(plus, 1);
   std::replace(text.begin(), text.end(), ',', '.');
   double ignored = 0;
   return parse_number(text, ignored);

@@ -22,6 +22,8 @@ struct Positions {
 
   // Metres of a plain number of column i; NaN where it is no such position.
   double metres(std::size_t i, double number) const;
+  // One column that may hold 12+345.6, for a reader of many rows.
+  std::optional<table::TwoParts> two_parts() const;
 };
 
 // Where the positions of a file stand; `below` is the row of units under its headers. Nothing where

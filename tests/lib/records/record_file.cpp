@@ -1,10 +1,12 @@
 // A record read from a file: its columns, its units, what stands for a place and for a lost sample.
 #include <railbook/records/record_file.hpp>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <railbook/units/input_error.hpp>
@@ -80,6 +82,59 @@ TEST_CASE("unit: a place may be written in kilometres and metres, or in stations
     CHECK_THROWS_WITH(read(rows(ones, [&](int i) { return i == 3 ? cell + "," : two(i) + ","; })),
                       Contains(cell) && Contains("line 5"));
   }
+}
+
+// --where keeps rows from being read at once.
+TEST_CASE("property: rows read at once are the rows read one by one, however they are written") {
+  const auto differs = [](const std::string& text, records::RecordFile input) {
+    const Read at_once = read(text, input);
+    input.where = {"run=a"};
+    const Read one_by_one = read(text, input);
+    REQUIRE(at_once.heights.size() == 50);
+    double worst = 0;
+    for (std::size_t i = 0; i < 50; ++i) {
+      const double u = at_once.heights[i], v = one_by_one.heights[i];
+      worst = std::max(worst, std::isnan(u) && std::isnan(v) ? 0 : std::abs(u - v));
+      worst = std::max(
+          worst, std::abs(at_once.stream->places().at(i) - one_by_one.stream->places().at(i)));
+    }
+    return !(worst == 0);
+  };
+  const auto written = [](const std::string& header, char separator, char mark, bool quoted,
+                          const auto& place) {
+    std::string text = header + "\n";
+    const auto add = [&](std::string cell, char end) {
+      std::replace(cell.begin(), cell.end(), '.', mark);
+      text += quoted ? '"' + cell + '"' : cell;
+      text += end;
+    };
+    for (int i = 0; i < 50; ++i) {
+      add(place(i), separator);
+      add(i == 20   ? "-9999.0"
+          : i == 30 ? "1.0000000000000000123"
+                    : std::to_string((i * 7 % 11) / 8.0),
+          separator);
+      add("a", '\n');
+    }
+    return text;
+  };
+  const auto metres = [](int i) { return std::to_string(1234.5 + 0.25 * i); };
+  const auto marked = [](int i) { return "1+" + std::to_string(234.5 + 0.25 * i); };
+  for (const bool quoted : {false, true})
+    for (const auto& [separator, mark] :
+         {std::pair{',', '.'}, {';', '.'}, {';', ','}, {'\t', ','}, {'|', '.'}, {' ', ','}}) {
+      if (quoted && separator == ' ') continue;
+      CAPTURE(separator, mark, quoted);
+      const std::string end = separator + std::string("profile_mm") + separator + "run";
+      const records::RecordFile plain{.missing = {std::string("-9999") + mark + "0"}};
+      CHECK_FALSE(differs(written("distance_m" + end, separator, mark, quoted, metres), plain));
+      CHECK_FALSE(differs(written("distance_m" + end, separator, mark, quoted, marked), plain));
+      records::RecordFile two = plain;
+      two.distance_unit = "mi+yd";
+      CHECK_FALSE(differs(written("distance" + end, separator, mark, quoted, marked), two));
+      CHECK_THROWS_WITH(read(written("distance" + end, separator, mark, quoted, metres), two),
+                        Contains("allowed: 12+345, as the unit of this column says"));
+    }
 }
 
 TEST_CASE("unit: cells that stand for lost samples, by their number or by their text") {
