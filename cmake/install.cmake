@@ -42,6 +42,7 @@ endif()
 install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FILES_MATCHING PATTERN *.gp
         PATTERN examples EXCLUDE)
 install(FILES lib/plot/style.gp lib/plot/scene.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/lib/plot)
+install(FILES tools/quality/fra-49-cfr-213.csv DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools/quality)
 install(DIRECTORY tools/verify/data DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools/verify)
 install(DIRECTORY tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook)
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <railbook/filters/detail/cubic.hpp>
 #include <railbook/num/fft.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
@@ -49,23 +50,13 @@ std::size_t band_margin(const Band& band, double spacing) {
       std::ceil(band.longest / units::require_positive("spacing", spacing, "m")));
 }
 
-namespace {
-
-// Lagrange's weights of the four samples from one before `t`, 0 <= t < 1, on.
-std::array<double, 4> cubic(double t) {
-  return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
-          (t + 1) * t * (t - 1) / 6};
-}
-
-}  // namespace
-
 FilterTaps chord_taps(double chord, double spacing) {
   units::require_positive("spacing", spacing, "m");
   const double half =
       units::require_between("chord over twice the spacing", 0.5 * chord / spacing, 2, 1e6);
   const auto at = static_cast<std::size_t>(std::floor(half));
   FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
-  const auto end = cubic(half - std::floor(half));
+  const auto end = detail::cubic(half - std::floor(half));
   for (std::size_t j = 0; j < end.size(); ++j) result.half[at - 1 + j] -= 0.5 * end[j];
   result.half[0] += 1;
   return result;
@@ -80,7 +71,7 @@ FilterTaps uniformity_taps(double chord, double spacing) {
   std::copy(one.half.begin(), one.half.end(), result.half.begin());
   for (int m = -4; m <= 4; ++m) {
     const double place = m * quarter, whole = std::floor(place);
-    const auto weights = cubic(place - whole);
+    const auto weights = detail::cubic(place - whole);
     for (std::ptrdiff_t i = -reach; i <= reach; ++i)
       for (std::size_t j = 0; j < weights.size(); ++j) {
         const std::ptrdiff_t to =

@@ -13,8 +13,8 @@ inline constexpr int fra_classes = 5;
 
 // A limit of each class, falling, m. Each row is in two copies of the code of regulations
 // (law.cornell.edu and elaws.us for profile, casetext and an open index class for alinement). Left
-// out, since no second source was found: the surface of classes 6 to 9 (213.331), the 31-ft chord
-// in curves.
+// out, since no second source was found: gauge and surface of classes 6 to 9 (213.323, 213.331).
+// tools/quality/fra-49-cfr-213.csv is the same as a file.
 struct FraLimit {
   std::string_view name;
   double chord = 0;  // m; 0: no chord

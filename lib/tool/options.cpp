@@ -99,7 +99,7 @@ void OptionParser::choice(const std::string& name, std::string& value,
 }
 
 void OptionParser::texts(const std::string& name, std::vector<std::string>& values,
-                         const std::string& help) {
+                         const std::string& help, bool by_blanks) {
   const auto set = [&values](const std::vector<std::string>& texts) {
     values.clear();
     for (std::string_view text : texts) {
@@ -111,7 +111,7 @@ void OptionParser::texts(const std::string& name, std::vector<std::string>& valu
     }
   };
   last_ = app_->add_option_function<std::vector<std::string>>(name, set, help)
-              ->allow_extra_args(false)
+              ->allow_extra_args(by_blanks)
               ->type_name("TEXT,...")
               ->default_str(fmt::format("{}", fmt::join(values, ",")));
 }

@@ -68,8 +68,9 @@ class OptionParser {
   void text(const std::string& name, std::string& value, const std::string& help);
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help);
-  // "--column a,b" and "--column a --column b".
-  void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
+  // "--column a,b" and "--column a --column b"; by blanks: "--column a b" too.
+  void texts(const std::string& name, std::vector<std::string>& values, const std::string& help,
+             bool by_blanks = false);
   // "record ..." and --manifest.
   void records(RecordFiles& records);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);

@@ -50,6 +50,7 @@ D0, median deviation|railbook quality measures track.csv --bands D0,D1
 D1|railbook quality measures track.csv --passes 1 --section 1km
 twist, median deviation|railbook quality measures rails.csv --column left,right --crosslevel cant --twist-base 10m
 exceptions to FRA class 3|railbook quality measures track.csv --fra-class 3
+exceptions to limits.csv|railbook quality measures track.csv --limits $examples/quality/limits.csv --speed 100km/h
 chord_31ft_largest_mm|railbook quality measures track.csv --chords 31ft 124ft --out chords --no-figures && head -1 chords/measures.csv
 length of a section  *160.9 m|railbook quality measures track.csv --section 528ft
 median growth|railbook quality compare track.csv later.csv --section 500m

@@ -48,6 +48,7 @@ add_test(NAME "tool: words on stability and convergence are read by tests" COMMA
 add_test(NAME "tool: columns of tables are explained by --help" COMMAND ${here}/columns.sh ${PROJECT_SOURCE_DIR} ${bin})
 add_test(NAME "tool: forty examples" COMMAND ${here}/examples.sh ${bin} ${examples})
 add_test(NAME "tool: quality measures find exceptions to FRA classes where they are" COMMAND ${here}/exceptions.sh ${bin})
+add_test(NAME "tool: quality measures judge by a file of limits" COMMAND ${here}/limits.sh ${bin} ${PROJECT_SOURCE_DIR}/tools/quality/fra-49-cfr-213.csv)
 add_test(NAME "tool: memory does not grow with the record" COMMAND ${here}/memory.sh ${bin})
 set_tests_properties("tool: memory does not grow with the record" PROPERTIES SKIP_RETURN_CODE 77 LABELS thorough)
 add_test(NAME "tool: records keep their defects, and all columns are looked at" COMMAND ${here}/records.sh ${bin})

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/filters/fir_filter.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+
+#include "quality/column_names.hpp"
 
 namespace railbook::quality_tool {
 
@@ -24,50 +25,30 @@ std::vector<Column> columns_of(const MeasuresOptions& options) {
   return columns;
 }
 
-std::string name_of_chord(double chord) {
-  const double feet = chord / units::foot;
-  return std::abs(feet - std::round(feet)) < 1e-6 ? fmt::format("chord_{:g}ft", feet)
-                                                  : fmt::format("chord_{:g}m", chord);
-}
-
 }  // namespace
 
-std::vector<filters::Band> bands_of(const MeasuresOptions& options) {
-  std::vector<filters::Band> chosen;
-  for (const std::string& name : options.bands) {
-    const auto at = std::find_if(filters::bands.begin(), filters::bands.end(),
-                                 [&](const filters::Band& b) { return b.name == name; });
-    if (at == filters::bands.end())
-      throw InputError{fmt::format("bands: \"{}\"; allowed: D0, D1, D2, D3", name)};
-    chosen.push_back(*at);
-  }
-  return chosen;
+ColumnContent Column::content(const MeasuresOptions& options, const std::string& header) const {
+  ColumnContent content;
+  if (kind > Kind::alignment) return content;
+  content.band_name =
+      options.filtered != "by-name" ? options.filtered : band_in_name(header).value_or("");
+  if (!content.band_name.empty())
+    content.band = quality::parse_band("filtered", content.band_name);
+  else if (!options.chord.empty())
+    content.offset = quality::parse_chord("chord", options.chord);
+  else if (is_offset_by_name(header))
+    content.offset.emplace();
+  return content;
 }
 
 void Channel::push(std::span<const double> piece, const records::RecordStream& record) {
-  if (kept_.empty()) begin(record);
-  if (column_.kind == Kind::gauge && !begun_) datum_ = gauge_datum(piece);
-  begun_ = true;
+  if (kept_.empty()) begin(piece, record);
   if (watch_) watch_->push(piece);
-  for (Kept& kept : kept_) {
-    if (kept.filter)
-      kept.filter->push(piece);
-    else if (kept.name.empty() || kept.name == "chord")
-      kept.sections.push(piece);
-  }
-  if (!twist_) return;
-  std::vector<double> twist, warp;
-  for (const double value : piece) {
-    twist.push_back(twist_->push(value));
-    warp.push_back(warp_->push(value));
-  }
-  kept_[kept_.size() - 2].sections.push(twist);
-  kept_.back().sections.push(warp);
+  for (Kept& kept : kept_) kept.stream->push(piece);
 }
 
 void Channel::finish() {
-  for (Kept& kept : kept_)
-    if (kept.filter) kept.filter->finish();
+  for (Kept& kept : kept_) kept.stream->finish();
   if (watch_) watch_->finish();
 }
 
@@ -91,42 +72,46 @@ double Channel::fra_class(std::size_t at) const {
   return fra;
 }
 
-void Channel::begin(const records::RecordStream& record) {
+void Channel::begin(std::span<const double> piece, const records::RecordStream& record) {
+  using quality::Measure;
   const auto place = [&record](std::size_t i) { return record.places().at(i); };
-  const auto keep = [&](const std::string& name) -> Kept& {
-    return kept_.emplace_back(Kept{name, quality::Sections{options_.section, place}, {}});
+  const auto keep = [&](const std::string& name, const Measure& measure) {
+    Kept& kept = kept_.emplace_back(Kept{name, quality::Sections{options_.section, place}});
+    kept.stream = std::make_unique<quality::MeasureStream>(
+        measure, static_cast<int>(options_.passes), record.spacing(),
+        [&kept](std::span<const double> values) { kept.sections.push(values); });
   };
-  const auto filter = [&](const std::string& name, const filters::FilterTaps& taps,
-                          std::size_t margin) {
-    Kept& kept = keep(name);
-    kept.filter = std::make_unique<filters::InnerFilter>(
-        taps, margin, [&kept](std::span<const double> p) { kept.sections.push(p); });
-  };
-  const auto chord = [&](const std::string& name, double length) {
-    const filters::FilterTaps taps = filters::chord_taps(length, record.spacing());
-    filter(name, taps, taps.half.size() - 1);
-  };
-  keep("");
-  const std::optional<double> offset = column_.offset(options_, record.header());
-  if (options_.fra_class > 0)
-    watch_.emplace(column_.name, column_.kind, static_cast<int>(options_.fra_class), record,
-                   offset);
-  if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
-    for (const filters::Band& band : bands_of(options_))
-      filter(std::string{band.name},
-             filters::band_taps(band, static_cast<int>(options_.passes), record.spacing()),
-             filters::band_margin(band, record.spacing()));
-    if (!offset)
-      chord("chord", quality::fra::profile.chord);
-    else if (is_same_chord(*offset, quality::fra::profile.chord))
-      keep("chord");
-    for (const double length : options_.chords) chord(name_of_chord(length), length);
+  const bool rail = column_.kind <= Kind::alignment;
+  if (column_.kind == Kind::gauge) datum_ = gauge_datum(piece, quality::fra::nominal_gauge);
+  content_ = column_.content(options_, record.header());
+  keep("", {});
+  if (!options_.limits.empty())
+    watch_.emplace(
+        column_.kind, content_, options_.limits,
+        WatchOptions{options_.section, static_cast<int>(options_.passes), options_.nominal_gauge},
+        record);
+  const auto bands = !rail           ? std::vector<std::string>{}
+                     : content_.band ? std::vector{content_.band_name}
+                                     : options_.bands;
+  for (const std::string& band : bands) {
+    const Measure measure{.kind = Measure::Kind::band, .band = quality::parse_band("bands", band)};
+    keep(band, content_.for_measure(measure).value_or(measure));
+  }
+  if (rail && !content_.band) {
+    const auto chord = [&](const std::string& text) {
+      return Measure{.kind = Measure::Kind::chord, .chord = quality::parse_chord("chords", text)};
+    };
+    if (const auto measure = content_.for_measure(chord("62ft"))) keep("chord", *measure);
+    for (const std::string& text : options_.chords) {
+      Measure measure = chord(text);
+      if (options_.chord_mean)
+        measure.mean = Measure::Mean::subtracted, measure.mean_length = *options_.chord_mean;
+      keep("chord_" + text, content_.for_measure(measure).value_or(measure));
+    }
   }
   if (column_.kind == Kind::crosslevel) {
-    twist_.emplace(options_.twist_base, record.spacing());
-    keep("twist");
-    warp_.emplace(62 * units::foot, record.spacing());
-    keep("warp");
+    keep("twist", {.kind = Measure::Kind::twist, .length = options_.twist_base});
+    keep("warp", {.kind = Measure::Kind::change, .length = 62 * units::foot});
   }
 }
 

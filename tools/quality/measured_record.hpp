@@ -11,50 +11,49 @@
 #include <string_view>
 #include <vector>
 
-#include <railbook/filters/inner_filter.hpp>
-#include <railbook/filters/wavelength_band.hpp>
 #include <railbook/quality/fra_limits.hpp>
+#include <railbook/quality/measure.hpp>
 #include <railbook/quality/sections.hpp>
 #include <railbook/tool/options.hpp>
 
-#include "quality/column_names.hpp"
+#include "quality/column_content.hpp"
 #include "quality/deviations.hpp"
-#include "quality/exceptions.hpp"
+#include "quality/limit_watch.hpp"
+#include "quality/limits_file.hpp"
 #include "record_options.hpp"
 
 namespace railbook::quality_tool {
 
 struct MeasuresOptions {
   tools::TrackRecordOptions record;
-  std::vector<std::string> alignment, bands{"D1", "D2"};
+  std::vector<std::string> alignment, bands{"D1", "D2"}, chords;
   std::string gauge, crosslevel;
-  double section = 200, twist_base = 3;
-  std::vector<double> chords;
-  std::optional<double> chord;     // of which the levels and alignments are the offsets
+  double section = 200, twist_base = 3, nominal_gauge = quality::fra::nominal_gauge;
+  std::optional<double> chord_mean;
+  // What the columns of level and alignment are: offsets of this chord, filtered to this band ("by-name" too).
+  std::string chord, filtered;
   long passes = 2, fra_class = 0;  // 0: none asked for
+  std::filesystem::path limits_file;
+  std::vector<std::string> classes;
+  std::optional<double> speed;
   tool::Destination out;
+
+  // Of a file, or of the FRA's class; read by measure_track().
+  std::vector<Limit> limits;
 };
 
 struct Column {
   std::string name;
   Kind kind;
 
-  // The chord of which it is the offset; 0 where only its header says that it is one.
-  std::optional<double> offset(const MeasuresOptions& options, const std::string& header) const {
-    if (kind > Kind::alignment) return std::nullopt;
-    if (options.chord) return options.chord;
-    return is_offset_by_name(header) ? std::optional{0.0} : std::nullopt;
-  }
+  ColumnContent content(const MeasuresOptions& options, const std::string& header) const;
 };
-
-// Throws InputError when a band has no name of EN 13848.
-std::vector<filters::Band> bands_of(const MeasuresOptions& options);
 
 // What is kept of a column: the channel itself or a filtered one, section by section.
 struct Kept {
   std::string name;  // "D1"; empty for the channel as it is
   quality::Sections sections;
-  std::unique_ptr<filters::InnerFilter> filter;
+  std::unique_ptr<quality::MeasureStream> stream = {};
 };
 
 // A column on its way: each sample goes to all that is kept of it.
@@ -68,7 +67,8 @@ class Channel {
 
   const Column& column() const { return column_; }
   const std::deque<Kept>& kept() const { return kept_; }
-  const std::optional<FraWatch>& watch() const { return watch_; }
+  const ColumnContent& content() const { return content_; }
+  const std::optional<LimitWatch>& watch() const { return watch_; }
 
   // How far from a sample the FRA's measure of it reaches, m.
   double reach() const {
@@ -81,16 +81,14 @@ class Channel {
   double fra_class(std::size_t at) const;
 
  private:
-  void begin(const records::RecordStream& record);
+  void begin(std::span<const double> piece, const records::RecordStream& record);
 
   const MeasuresOptions& options_;
   Column column_;
-  std::deque<Kept> kept_;  // references to them are kept
-  std::optional<quality::Twist> twist_;
-  std::optional<quality::Warp> warp_;
+  ColumnContent content_;
+  std::deque<Kept> kept_;        // references to them are kept
   std::optional<double> datum_;  // of gauge
-  bool begun_ = false;
-  std::optional<FraWatch> watch_;
+  std::optional<LimitWatch> watch_;
 };
 
 struct Measured {
@@ -101,12 +99,6 @@ struct Measured {
     std::vector<std::string> all;
     for (const Channel& channel : channels) all.push_back(channel.column().name);
     return all;
-  }
-
-  double exceptions() const {
-    std::size_t n = 0;
-    for (const Channel& channel : channels) n += channel.watch() ? channel.watch()->count() : 0;
-    return static_cast<double>(n);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include <railbook/filters/chord_stream.hpp>
 #include <railbook/filters/fir_filter.hpp>
 #include <railbook/filters/inner_filter.hpp>
 #include <railbook/filters/wavelength_band.hpp>
@@ -38,7 +39,7 @@ TEST_CASE("claim: filters of bands") {
   RandomStream draw(81);
   for (int k = 0; k < 200; ++k) {
     const double shortest = draw.decades(1, 70), spacing = shortest * draw.decades(0.05, 0.5);
-    const Band band{"drawn", shortest, shortest * draw.decades(1.1, 10)};
+    const Band band{"drawn", shortest, shortest * draw.decades(1.1, 100)};
     const int passes = 1 + k % 2;
     const filters::FilterTaps taps = band_taps(band, passes, spacing);
     for (int i = 0; i < 5; ++i) {
@@ -64,6 +65,43 @@ TEST_CASE("claim: filters of chords") {
     Long mean = 1;
     for (int m = 1; m <= 4; ++m) mean += 2 * std::cos(long_pi * m * Long{chord} * phi / 2);
     uniformity.error(room(gain(uniformity_taps(chord, spacing), phi), one * (1 - mean / 9)));
+  }
+}
+
+TEST_CASE("claim: offsets of chords, also divided elsewhere than in the middle") {
+  Claim claim("filters::ChordStream");
+  RandomStream draw(85);
+  for (int k = 0; k < 200; ++k) {
+    const double spacing = draw.decades(0.1, 1), before = spacing * draw.decades(2, 50),
+                 after = k % 4 ? spacing * draw.decades(2, 50) : before;
+    const Long phi = draw.decades(1e-2, 0.5) / spacing, start = draw(0, 1);
+    const auto height = [&](Long x) { return std::sin(2 * long_pi * (phi * x + start)); };
+    std::vector<double> record(300);
+    for (std::size_t i = 0; i < record.size(); ++i)
+      record[i] = static_cast<double>(height(Long(spacing) * Long(i)));
+    record[200] = std::nan("");
+    std::vector<double> found;
+    filters::ChordStream stream{{before, after}, spacing, [&](std::span<const double> values) {
+                                  found.insert(found.end(), values.begin(), values.end());
+                                }};
+    stream.push(std::span{record}.first(77));
+    stream.push(std::span{record}.subspan(77));
+    stream.finish();
+    REQUIRE(found.size() == record.size());
+    const auto back = static_cast<std::ptrdiff_t>(before / spacing) + 2,
+               ahead = static_cast<std::ptrdiff_t>(after / spacing) + 2;
+    const Long turn = 2 * long_pi * phi * Long(spacing),
+               cubic = 3 * std::pow(turn, Long{4}) / 128 + 1e-12L;
+    for (std::ptrdiff_t i = 0; i < 300; ++i) {
+      const double is = found[static_cast<std::size_t>(i)];
+      const bool whole = i >= back && i + ahead < 300 && (i + ahead < 200 || i - back > 200);
+      CHECK(std::isnan(is) != whole);
+      const Long x = Long(spacing) * Long(i), b = before, a = after;
+      if (whole)
+        claim.error(static_cast<double>(
+            std::abs(is - (height(x) - (a * height(x - b) + b * height(x + a)) / (a + b))) /
+            cubic));
+    }
   }
 }
 

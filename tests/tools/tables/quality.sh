@@ -192,7 +192,7 @@ functions=
 means sines 'half = 1 / 2 ^ 0.5; twist = 2 * sin(pi * 0.3) / 3; is("length_km", 1); is("spacing_m", 0.25); is("missing", 0); is("bridged", 0); is("faulty", 0); is("section_m", 200); is("passes", 2)
   is("left_median_sd", 2 * half, 1e-3); is("left_worst_sd", 2 * half, 1e-3); says("left_worst_sd", "from (0|200|400) m"); is("right_median_sd", 30 * half, 1e-3); is("gauge_median_sd", 0.8 * half, 1e-3)
   is("cant_median_sd", 2.5 * half, 1e-3); is("twist_median_sd", 2.5 * twist * half, 2e-3); is("aleft_D1_median_sd", half, 5e-3); is("aright_D1_median_sd", 1.5 * half, 5e-3); is("left_D1_median_sd", 2 * half, 5e-3)
-  is("exceptions", exceptions); is("not_evaluated_m", 0); says("judged", "profile, alinement, gauge, cross level and warp"); for (key in v) if (key ~ /(_worst|D2_median|right_median|D1_median)_sd$|(aleft|aright)_median/) free(key)' exceptions=$(($(wc -l <sines/exceptions.csv) - 1))
+  is("exceptions", exceptions); is("not_evaluated_m", 0); says("judged", "gauge, alignment chord 62ft, level chord 62ft, crosslevel, crosslevel change 62ft"); for (key in v) if (key ~ /(_worst|D2_median|right_median|D1_median)_sd$|(aleft|aright)_median/) free(key)' exceptions=$(($(wc -l <sines/exceptions.csv) - 1))
 for passes in 1 2; do answers edge$passes measures sines.csv --column long --passes $passes; done
 near "the edge of a band in two passes" "$(v edge2 long_D1_median_sd)" 1.414 0.03
 near "the edge of a band in one" "$(v edge1 long_D1_median_sd)" 2 0.04
