@@ -112,6 +112,7 @@ local kinds = {
   {"g", 'stroke="none" fill="([%w#]+)" font%-size="([%d.]+)" +text%-anchor="(%w+)"', "stroke:none;fill:%s;font-size:%spx;text-anchor:%s"},
   {"path", "stroke='([%w#]+)' stroke%-dasharray='([%d.,]+)'", "stroke:%s;stroke-dasharray:%s"},
   {"path", "stroke='([%w#]+)'", "stroke:%s"},
+  {"use", "color='([%w#]+)'", "color:%s"},
 }
 
 local function classes(svg)
@@ -154,6 +155,11 @@ function drawings.prepared(svg)
     end)
   end
   if not svg:find("<title>Gnuplot</title>", 1, true) then return svg end
+  svg = svg:gsub("<polygon fill = ('[^']*')([^>]-) points = '([^']*)'/>", function(fill, opacity, points)
+    local rest = opacity:gsub(" = '(%d%.%d-)0*'", "='%1'")
+    return "<path fill=" .. fill .. rest .. " d='M " .. points:gsub("%s+", " L "):gsub(" L $", "") .. " Z'/>"
+  end)
+  svg = svg:gsub("xlink:href='#gp", "href='#gp")
   svg = svg:gsub(" d='([^']*)'", function(d) return " d='" .. path(d) .. "'" end)
   svg = svg:gsub("translate%((%-?[%d.]+),(%-?[%d.]+)%)", function(x, y) return "translate(" .. pair(tenths(x), tenths(y)) .. ")" end)
   svg = svg:gsub("(['\"])rgb%( *(%d+), *(%d+), *(%d+)%)", function(quote, r, g, b) return quote .. colour(r, g, b) end)

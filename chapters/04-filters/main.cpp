@@ -212,5 +212,5 @@ int main(int argc, char** argv) {
        .sources = RAILBOOK_CHAPTER_DIR},
       {flow, scene_of_car, filters_chapter::system, hybrid, independence, curvature, crosslevel,
        profile, speeds},
-      {mismatch, cost, stability});
+      {mismatch, cost, stability, digits});
 }

@@ -30,6 +30,14 @@ namespace {
 constexpr double mm = units::millimetre;
 constexpr double scale_end = 1600 * units::megapascal;  // of the colours, as in scene.gp
 
+// As much as a picture shows, so that the tables of cells stay small.
+double drawn(double length) {
+  return std::round(1e4 * length / mm) / 1e4;
+}
+double drawn_pressure(double pressure) {
+  return std::round(10 * pressure / units::megapascal) / 10;
+}
+
 const Wheel& fifth_wheel(const report::Item& item) {
   static const Wheel fifth = wheel_of(item.printed("case-a.csv"), "right", 5);
   return fifth;
@@ -63,9 +71,10 @@ void draw_pair(report::Item& item) {
     patches.add(across(f.origin.y()), -f.origin.z() / mm, f.angle, p.load);
     for (Index k = 0; k < p.pressure.size(); ++k)
       if (p.pressure[k] > 0)
-        cells.add(across(f.origin.y()) + p.grid.y(k / p.grid.nx) / mm * std::cos(f.angle),
-                  (f.origin.x() + p.grid.x(k % p.grid.nx)) / mm, p.grid.dy / mm * std::cos(f.angle),
-                  p.grid.dx / mm, p.pressure[k] / units::megapascal);
+        cells.add(drawn(f.origin.y() - rail_origin + p.grid.y(k / p.grid.nx) * std::cos(f.angle)),
+                  drawn(f.origin.x() + p.grid.x(k % p.grid.nx)),
+                  drawn(p.grid.dy * std::cos(f.angle)), drawn(p.grid.dx),
+                  drawn_pressure(p.pressure[k]));
   }
   patches.holds_to("load_N", 1e-3, 1, "the depth is found to a hundred thousandth of the load");
   cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
@@ -83,8 +92,8 @@ void fig_patches(report::Item& item) {
     const PatchResult& p = solved(wheel, Method::full).patches.front();
     for (Index k = 0; k < p.pressure.size(); ++k)
       if (p.pressure[k] > 0)
-        cells.add(shift, p.grid.y(k / p.grid.nx) / mm, p.grid.x(k % p.grid.nx) / mm,
-                  p.pressure[k] / units::megapascal);
+        cells.add(shift, drawn(p.grid.y(k / p.grid.nx)), drawn(p.grid.x(k % p.grid.nx)),
+                  drawn_pressure(p.pressure[k]));
     grids.add(shift, p.grid.dy / mm, p.grid.dx / mm);
     const auto& strips = solved(wheel, Method::hertz).patches.front().strips.strips;
     for (const Strip& s : strips) ellipse.add(shift, s.t / mm, (s.x + s.half_length) / mm);

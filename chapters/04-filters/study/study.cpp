@@ -20,5 +20,9 @@ the undisturbed answer or the true rail. What may be lost is set beforehand.
 {{stability}}
 
 {{include: stability.cpp}}
+
+## Digits
+
+{{include: digits.cpp}}
 */
 #include "sections.hpp"
