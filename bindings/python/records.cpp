@@ -3,7 +3,6 @@
 #include <railbook/spectra/classify.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/spectra/welch.hpp>
-#include <railbook/units/input_error.hpp>
 
 #include "python.hpp"
 
@@ -19,12 +18,6 @@ py::array_t<double> filtered(const filters::FilterTaps& taps, const Array& recor
     out = filters::filter(taps, span_of(record));
   }
   return array_of(std::move(out));
-}
-
-filters::Band band_of(const std::string& name) {
-  for (const filters::Band& b : filters::bands)
-    if (name == b.name) return b;
-  throw InputError("band is \"" + name + "\"; allowed: D0, D1, D2, D3");
 }
 
 }  // namespace
@@ -101,7 +94,8 @@ void bind_records(py::module_& whole) {
   f.def(
       "band",
       [](const Array& record, double spacing, const std::string& name, int passes) {
-        return filtered(filters::band_taps(band_of(name), passes, spacing), record);
+        return filtered(filters::band_taps(filters::parse_band("band", name), passes, spacing),
+                        record);
       },
       "record"_a, "spacing"_a, "name"_a, "passes"_a = 2,
       doc("filters/wavelength_band.hpp band_taps"));

@@ -3,14 +3,32 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <railbook/filters/detail/cubic.hpp>
 #include <railbook/num/fft.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/quantity.hpp>
 
 namespace railbook::filters {
+
+Band parse_band(std::string_view quantity, std::string_view text) {
+  const auto* const named = std::ranges::find(bands, text, &Band::name);
+  if (named != bands.end()) return *named;
+  const std::size_t dash = text.find('-', 1);
+  Band band;
+  if (dash != std::string_view::npos) {
+    band.shortest = units::parse_quantity(quantity, text.substr(0, dash), units::length);
+    band.longest = units::parse_quantity(quantity, text.substr(dash + 1), units::length);
+  }
+  if (!(band.shortest > 0 && band.longest >= 1.1 * band.shortest))
+    throw InputError{std::string{quantity} + ": \"" + std::string{text} +
+                     "\"; allowed: D0, D1, D2, D3, or two wavelengths as in 3m-35m, the longer at "
+                     "least 1.1 times as long"};
+  return band;
+}
 
 double band_gain(const Band& band, int passes, double phi) {
   if (!(phi > 0)) return 0;

@@ -20,6 +20,10 @@ struct Band {
 inline constexpr std::array<Band, 4> bands{
     {{"D0", 1, 5}, {"D1", 3, 25}, {"D2", 25, 70}, {"D3", 70, 150}}};
 
+// A band by its name, or by two wavelengths as in "3m-35m", the longer at least 1.1 times as long.
+// Throws InputError that names `quantity`.
+Band parse_band(std::string_view quantity, std::string_view text);
+
 // The gain at wavenumber phi >= 0 (cycle/m) of a Butterworth band-pass with four poles an edge, run
 // once or forward and backward: 2^-1/2 or 1/2 at the edges. Both without phase here. `passes` is 1
 // or 2.

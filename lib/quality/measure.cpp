@@ -45,23 +45,6 @@ bool Measure::is_like(const Measure& other) const {
          same_length(mean_length, other.mean_length);
 }
 
-filters::Band parse_band(std::string_view quantity, std::string_view text) {
-  const auto named = std::ranges::find(filters::bands, text, &filters::Band::name);
-  if (named != filters::bands.end()) return *named;
-  const std::size_t dash = text.find('-', 1);
-  if (dash == std::string_view::npos)
-    throw InputError{fmt::format(
-        "{}: \"{}\"; allowed: D0, D1, D2, D3, or two wavelengths as in 3m-35m", quantity, text)};
-  filters::Band band;
-  band.shortest = length_of(quantity, text.substr(0, dash));
-  band.longest = length_of(quantity, text.substr(dash + 1));
-  if (band.longest < 1.1 * band.shortest)
-    throw InputError{fmt::format(
-        "{}: \"{}\"; allowed: the shorter wavelength first, the longer at least 1.1 times as long",
-        quantity, text)};
-  return band;
-}
-
 filters::Chord parse_chord(std::string_view quantity, std::string_view text) {
   const std::size_t plus = text.find('+', 1);
   if (plus == std::string_view::npos) {
@@ -88,7 +71,7 @@ Measure parse_measure(std::string_view text) {
   } else {
     measure.kind = Measure::Kind::band;
     measure.band =
-        parse_band("measure (chord, uniformity, twist or change LENGTH, or a band)", text);
+        filters::parse_band("measure (chord, uniformity, twist or change LENGTH, or a band)", text);
   }
   return measure;
 }

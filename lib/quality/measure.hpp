@@ -29,10 +29,6 @@ struct Measure {
   bool is_like(const Measure& other) const;
 };
 
-// "D1" or another band of filters::bands, or two wavelengths as in "3m-35m". Throws InputError that
-// names `quantity`.
-filters::Band parse_band(std::string_view quantity, std::string_view text);
-
 // A chord by its length, "62ft", or by the parts before and behind its offset, "3m+7m". Throws
 // InputError that names `quantity` when a part is no positive length.
 filters::Chord parse_chord(std::string_view quantity, std::string_view text);

@@ -33,7 +33,7 @@ ColumnContent Column::content(const MeasuresOptions& options, const std::string&
   content.band_name =
       options.filtered != "by-name" ? options.filtered : band_in_name(header).value_or("");
   if (!content.band_name.empty())
-    content.band = quality::parse_band("filtered", content.band_name);
+    content.band = filters::parse_band("filtered", content.band_name);
   else if (!options.chord.empty())
     content.offset = quality::parse_chord("chord", options.chord);
   else if (is_offset_by_name(header))
@@ -94,7 +94,7 @@ void Channel::begin(std::span<const double> piece, const records::RecordStream& 
                      : content_.band ? std::vector{content_.band_name}
                                      : options_.bands;
   for (const std::string& band : bands) {
-    const Measure measure{.kind = Measure::Kind::band, .band = quality::parse_band("bands", band)};
+    const Measure measure{.kind = Measure::Kind::band, .band = filters::parse_band("bands", band)};
     keep(band, content_.for_measure(measure).value_or(measure));
   }
   if (rail && !content_.band) {

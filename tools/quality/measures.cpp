@@ -69,11 +69,11 @@ void require_columns(const MeasuresOptions& options) {
 }
 
 void measure_track(MeasuresOptions options) {
-  for (const std::string& band : options.bands) (void)quality::parse_band("bands", band);
+  for (const std::string& band : options.bands) (void)filters::parse_band("bands", band);
   for (const std::string& chord : options.chords) (void)quality::parse_chord("chords", chord);
   if (!options.chord.empty()) (void)quality::parse_chord("chord", options.chord);
   if (!options.filtered.empty() && options.filtered != "by-name")
-    (void)quality::parse_band("filtered (by-name, or a band)", options.filtered);
+    (void)filters::parse_band("filtered (by-name, or a band)", options.filtered);
   if (!options.chord.empty() && !options.filtered.empty())
     throw InputError{"chord and filtered are given; allowed: one of them"};
   options.limits = limits_of(options);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 
 #include <railbook/contact/hertz.hpp>
@@ -37,9 +36,8 @@ track::BeamState beam(const At& at) {
 }
 
 double band(const At& at) {
-  const auto* const of = std::ranges::find(filters::bands, at.words.at(0), &filters::Band::name);
-  if (of == filters::bands.end()) throw InputError("band is \"" + at.words[0] + "\"");
-  return filters::band_gain(*of, static_cast<int>(at[1]), at[2]);
+  const filters::Band of = filters::parse_band("band", at.words.at(0));
+  return filters::band_gain(of, static_cast<int>(at[1]), at[2]);
 }
 
 // At a linear force of at[0] over the friction.

@@ -130,7 +130,8 @@ TEST_CASE("input: measures in words") {
                                  "chord 10", "chord 0m", "chord 3m+", "chord 3m+-7m",
                                  "uniformity 3m+7m", "twist", "twist -3m", "change 62", "warp 3m"})
     CHECK_THROWS_AS(parse_measure(text), InputError);
-  CHECK_THROWS_WITH(parse_band("bands", "D9"), Contains("bands: \"D9\"; allowed: D0, D1, D2, D3"));
+  CHECK_THROWS_WITH(filters::parse_band("bands", "D9"),
+                    Contains("bands: \"D9\"; allowed: D0, D1, D2, D3"));
 }
 
 // The file that --fra-class judges by says what the constants say that sections are judged by.
