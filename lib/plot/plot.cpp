@@ -20,6 +20,7 @@
 
 #include <railbook/files/out_file.hpp>
 #include <railbook/files/staged.hpp>
+#include <railbook/plot/packed_picture.hpp>
 
 namespace railbook::plot {
 namespace {
@@ -322,7 +323,7 @@ std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data,
 }
 
 void render(const fs::path& script, const std::vector<fs::path>& data, const fs::path& png) {
-  files::write(png, draw(script, data));
+  files::write(png, packed_png(draw(script, data)));
 }
 
 }  // namespace railbook::plot

@@ -9,6 +9,7 @@
 
 #include <railbook/files/out_file.hpp>
 #include <railbook/num/stopwatch.hpp>
+#include <railbook/plot/packed_picture.hpp>
 #include <railbook/plot/plot.hpp>
 
 namespace railbook::report {
@@ -432,10 +433,10 @@ void Item::draw() {
     }
   } else {
     const auto script = settings_.sources / script_;
-    plot::render(script, files, png);
-    const std::string svg = plot::draw_svg(script, files);
-    if (svg.size() > std::filesystem::file_size(png))
-      return;  // a page shows the smaller of the two
+    const std::string drawn = plot::draw(script, files), svg = plot::draw_svg(script, files);
+    const bool shown = svg.size() > drawn.size();  // a page shows the smaller of the two
+    files::write(png, shown ? plot::packed_png(drawn) : drawn);
+    if (shown) return;
     const std::filesystem::path beside = settings_.figures / (record_.id + ".svg");
     announce(beside);
     files::write(beside, svg);
