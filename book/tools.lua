@@ -10,7 +10,7 @@ tools.chapters = {
   track = "07-track", wheelrail = "08-wheel-on-rail",
 }
 
-local most_lines = 8 -- of a longer answer these are open
+local most_lines = 7 -- of a longer answer these are open
 
 local function read(path)
   local file = assert(io.open(path, "rb"))
