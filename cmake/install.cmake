@@ -38,6 +38,9 @@ install(FILES ${PROJECT_BINARY_DIR}/railbook-config.cmake ${PROJECT_BINARY_DIR}/
 
 if(RAILBOOK_TOOLS)
   install(TARGETS railbook RUNTIME COMPONENT command)
+  if(hdf5_FOUND)
+    install(TARGETS railbook_container_reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/railbook COMPONENT command)
+  endif()
 endif()
 install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FILES_MATCHING PATTERN *.gp
         PATTERN examples EXCLUDE)

@@ -45,6 +45,9 @@ void add_record_options(tool::OptionParser& o, TrackRecordOptions& w) {
       "encoding of the text, as cp1252, GBK or Shift-JIS; left out: UTF-8, or UTF-16 by its mark");
   o.text("--sheet", w.record.sheet,
          "sheet of a workbook (.xlsx), by name or number; left out: the first");
+  o.text("--dataset", w.record.dataset,
+         "data set or group of an HDF5 or MAT file, as run/1, or several with commas: "
+         "x,run/1/left; left out: the only table there is");
   o.choice(
       "--decimal", w.decimal, {"either", "point", "comma"},
       "what parts the decimals of numbers; comma also where quoted cells stand between commas");

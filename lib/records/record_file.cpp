@@ -82,7 +82,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     const std::vector<RecordSink>& sinks) {
   table::CsvReader reader{
       source.file,
-      {source.skip, source.header_lines, source.encoding, source.sheet, source.decimal}};
+      {source.skip, source.header_lines, source.encoding, source.sheet, source.dataset,
+       source.decimal}};
   std::vector<std::size_t> column;
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
   // A row of units: none of the columns asked for holds a number, each of them names a unit.

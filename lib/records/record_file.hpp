@@ -28,7 +28,7 @@ struct RecordFile {
   std::size_t skip = 0;  // lines before the header
   std::size_t header_lines = 1;
   std::string encoding = {};  // as TextOptions has them
-  std::string sheet = {};
+  std::string sheet = {}, dataset = {};
   char decimal = 0;
   std::optional<double> resample = {};  // m: uneven samples are put on such a grid
   std::vector<std::string> where =

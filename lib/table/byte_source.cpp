@@ -162,7 +162,29 @@ class TextBytes : public ByteSource {
   std::size_t at_ = 0;
 };
 
+// Bytes that have been read, and those behind them.
+class Joined : public ByteSource {
+ public:
+  Joined(std::string first, std::unique_ptr<ByteSource> rest)
+      : first_(std::move(first)), rest_(std::move(rest)) {}
+  std::size_t read(char* to, std::size_t size) override {
+    const std::size_t n = first_.copy(to, size, at_);
+    at_ += n;
+    return n > 0 ? n : rest_->read(to, size);
+  }
+  double share() const override { return rest_->share(); }
+
+ private:
+  std::string first_;
+  std::unique_ptr<ByteSource> rest_;
+  std::size_t at_ = 0;
+};
+
 }  // namespace
+
+std::unique_ptr<ByteSource> joined(std::string first, std::unique_ptr<ByteSource> rest) {
+  return std::make_unique<Joined>(std::move(first), std::move(rest));
+}
 
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& file,
                                        std::chrono::milliseconds patience) {

@@ -29,6 +29,9 @@ std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& file,
 // A text in memory.
 std::unique_ptr<ByteSource> bytes_of(std::string text);
 
+// Bytes that have been read, and those behind them.
+std::unique_ptr<ByteSource> joined(std::string first, std::unique_ptr<ByteSource> rest);
+
 // Text in another encoding ("cp1252", "GBK": what iconv knows), as UTF-8. `first` are bytes of it
 // that have been read before. Throws InputError when iconv does not know the encoding.
 std::unique_ptr<ByteSource> decoded(std::unique_ptr<ByteSource> source, const std::string& encoding,

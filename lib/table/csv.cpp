@@ -35,7 +35,7 @@ std::string folded(std::string_view text) {
 }  // namespace
 
 CsvReader::CsvReader(const std::filesystem::path& file, const TextOptions& options)
-    : CsvReader(file, table_bytes(file, options.sheet), options) {}
+    : CsvReader(file, table_bytes(file, options), options) {}
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
                      const TextOptions& options)

@@ -36,6 +36,7 @@ struct TextOptions {
   std::size_t header_lines = 1;  // a column's header is what its cells in them hold, with blanks
   std::string encoding = {};     // that iconv knows; none: UTF-8, or UTF-16 with a byte order mark
   std::string sheet = {};        // of a workbook, by name or number; none: the first
+  std::string dataset = {};      // of an HDF5 or MAT file; none: the only table in it
   char decimal = 0;              // the point or the comma of numbers; 0: as the file has them
 };
 

@@ -13,9 +13,6 @@ struct Format {
 };
 
 constexpr Format formats[] = {
-    {"\x89HDF", "an HDF5 file; write the data sets as CSV, for example with h5dump or h5py"},
-    {"MATLAB 5.0 MAT-file", "a MAT file; write the variables as CSV, for example by writetable"},
-    {"MATLAB 7.3 MAT-file", "a MAT file; write the variables as CSV, for example by writetable"},
     {"\xD0\xCF\x11\xE0",
      "a workbook of an old spreadsheet; save the sheet as CSV, for example by libreoffice "
      "--headless --convert-to csv"},

@@ -31,6 +31,13 @@ fi
 "$railbook" quality index "$there/share/railbook/examples/quality/track.csv" --speed 100km/h --column crosslevel --out mine >/dev/null || fail "an example"
 if grep -q "$source/" "$railbook"; then fail "the program knows where it was built: $(grep -ao "$source/[^[:space:]]*" "$railbook" | head -3)"; fi
 
+# What reads HDF5 and MAT files, if it was built, is found from where the command is now.
+if [ -x "$build/libexec/railbook/containers" ]; then
+  printf '\211HDF\r\n\032\n' >damaged.h5
+  "$railbook" psd classify damaged.h5 2>&1 | grep -q "the HDF5 file cannot be read" || fail "no reader of HDF5 files"
+  grep -q "^PackageName: HDF5$" "$there/share/doc/railbook/railbook.spdx" || fail "HDF5 is not in railbook.spdx"
+fi
+
 # The notices of what is compiled in, and hardening of releases.
 for work in Eigen CLI11 nlohmann-json fmt; do
   grep -q "^$work$" "$there/share/doc/railbook/copyright" || fail "no notice of $work"
@@ -47,6 +54,7 @@ if command -v dpkg-shlibdeps >/dev/null; then
   cpack --config "$build/CPackConfig.cmake" -B "$folder/package" >said 2>&1 || fail "$(tail -5 said)"
   package=$(echo "$folder"/package/railbook_*.deb)
   dpkg-deb -f "$package" Depends | grep -q libfftw3 || fail "the package forgets FFTW"
+  [ ! -x "$build/libexec/railbook/containers" ] || dpkg-deb -f "$package" Depends | grep -q libhdf5 || fail "the package forgets HDF5"
   (umask 077 && cpack --config "$build/CPackConfig.cmake" -B "$folder/elsewhere" >said 2>&1) || fail "$(tail -5 said)"
   cmp "$package" "$folder"/elsewhere/railbook_*.deb || fail "a second package differs"
   dpkg-deb -x "$package" unpacked

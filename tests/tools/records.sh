@@ -140,3 +140,12 @@ for seed in $(seq 1 40); do
 done
 [ $warned -le 2 ] || fail "$warned of 40 clean records have a warning"
 exit 0
+
+# Containers: a damaged file, a pipe, and the command alone, without the program that reads them.
+printf '\211HDF\r\n\032\n damaged' >damaged.h5
+refuses 'damaged.h5": .*HDF5 file' damaged.h5
+refuses 'no HDF5 or MAT file; allowed: no --dataset' all.csv --column left --dataset run/1
+mkdir alone
+cp "$railbook" alone/railbook
+alone/railbook psd classify damaged.h5 >said 2>&1
+[ $? -eq 2 ] && grep -q 'built without libhdf5; write the numbers as CSV, for example by h5dump' said || fail "the command alone"
