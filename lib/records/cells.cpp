@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <railbook/table/dates.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/printable.hpp>
 
@@ -30,6 +31,8 @@ double Cells::number(std::size_t column) const {
   try {
     return reader_.number(column);
   } catch (const InputError& error) {
+    if (table::is_date_or_time(cell))
+      throw InputError{error.what() + std::string{"; this is a date or a time"}};
     throw InputError{error.what() + std::string{" (--missing \""} + units::printable(cell, 40) +
                      "\" if it stands for a lost sample)"};
   }

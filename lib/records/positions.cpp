@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <railbook/records/detail/column_units.hpp>
+#include <railbook/table/dates.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/printable.hpp>
 #include <railbook/units/quantity.hpp>
@@ -98,6 +99,14 @@ bool kilometres_and_metres(std::string_view cell, double& major, double& minor) 
                    quoted(reader.header()[of]) + "; " + why};
 }
 
+// A recorder's clock is no place on the track.
+void refuse_time(const table::CsvReader& reader, std::size_t of) {
+  if (table::is_date_or_time(reader.cell(of)))
+    refuse(reader, of,
+           "this is a date or a time; allowed: places along the track, their column named by "
+           "--distance, or --distance none with --spacing, such as 25cm, of samples that are even");
+}
+
 }  // namespace
 
 double Positions::metres(std::size_t i, double number) const {
@@ -133,15 +142,16 @@ std::optional<Positions> positions_of(const RecordFile& source, const table::Csv
   };
   auto column = find(source.distance);
   if (!column && source.distance == "distance" && !source.spacing)
-    for (const char* name : {"position", "chainage", "mileage", "kilometre", "kilometer", "km"})
+    for (const char* name :
+         {"position", "chainage", "mileage", "kilometre", "kilometer", "km", "km+m"})
       if (!column) column = find(name);
-  if (column)
+  if (column) {
+    refuse_time(reader, *column);
     return one_column(*column, reader.header()[*column], below[*column], source.distance_unit);
+  }
   if (source.spacing) return std::nullopt;
-  std::string there;
-  for (const std::string& header : reader.header()) there += (there.empty() ? "" : ", ") + header;
-  throw InputError{"file \"" + units::printable(source.file.string(), 300) + "\": no " +
-                   quoted(source.distance) + "; there are: " + units::printable(there, 1000) +
+  throw InputError{table::quoted_name(source.file) + ": no " + quoted(source.distance) + "; " +
+                   reader.columns_there() +
                    "; allowed: a column of positions (--distance) or --spacing, such as 1ft; "
                    "--skip if lines stand before the headers"};
 }
@@ -160,6 +170,7 @@ double read_position(const Positions& p, const table::CsvReader& reader, const C
                "allowed: its two parts in --distance-unit, as mi+ft or mi+yd");
       sum += metric ? 1000 * major + minor : p.major * major + p.minor * minor;
     } else {
+      refuse_time(reader, p.columns[i]);
       const double number = cells.number(p.columns[i]);
       if (p.in_two && !std::isnan(number))
         refuse(reader, p.columns[i], "allowed: 12+345, as the unit of this column says");

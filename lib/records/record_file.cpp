@@ -36,6 +36,9 @@ std::size_t column_of(const table::CsvReader& reader, const std::string& name) {
   }
 }
 
+constexpr const char* yards_advice =
+    "; allowed: --distance-unit mi.yd if what stands behind the point of its miles are yards";
+
 // Whether positions in miles are miles and yards, 12.0440: none is past .1760 in over a mile.
 struct Miles {
   bool in_miles = false;
@@ -54,7 +57,8 @@ struct Miles {
       most = std::max(most, miles - std::floor(miles + 1e-9));
     }
   }
-  bool are_yards() const { return in_miles && most < 0.176 && highest - lowest > 1; }
+  bool may_be_yards() const { return any && most < 0.176; }
+  bool are_yards() const { return may_be_yards() && highest - lowest > 1; }
   static constexpr double mile = 1609.344;  // m
 };
 
@@ -80,10 +84,9 @@ std::string resampled_text(const Resampler& r, std::size_t column) {
 std::vector<std::unique_ptr<const RecordStream>> read_records(
     const RecordFile& source, const std::vector<std::string>& columns,
     const std::vector<RecordSink>& sinks) {
-  table::CsvReader reader{
-      source.file,
-      {source.skip, source.header_lines, source.encoding, source.sheet, source.dataset,
-       source.decimal}};
+  table::CsvReader reader{source.file,
+                          {source.skip, source.header_lines, source.encoding, source.sheet,
+                           source.dataset, source.decimal}};
   std::vector<std::size_t> column;
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
   // A row of units: none of the columns asked for holds a number, each of them names a unit.
@@ -154,7 +157,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       else
         records[i]->add(values);
     } catch (const InputError& error) {
-      throw named(i, error.what());
+      throw named(i, error.what() + std::string{miles.may_be_yards() ? yards_advice : ""});
     }
   };
   const auto hand_on = [&] {
@@ -221,8 +224,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
   if (miles.are_yards())
     throw InputError{table::quoted_name(source.file) + ": " +
                      quoted(reader.header()[positions->columns[0]]) +
-                     " never has more than .1760 behind the point of its miles; allowed: "
-                     "--distance-unit mi.yd if these are yards"};
+                     " never has more than .1760 behind the point of its miles" + yards_advice};
   if (resampler) {
     resampler->finish();
     hand_on();

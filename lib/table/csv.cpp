@@ -67,7 +67,8 @@ CsvReader::CsvReader(const std::filesystem::path& file, std::unique_ptr<ByteSour
   while (rows.size() < options.header_lines + 2 && more())
     if (!is_skipped(text)) rows.push_back(whole());
   separator_ = separator_of(header, rows);
-  const std::size_t columns = separator_ == ' ' ? words_of(rows.back()).size() : 0;
+  const std::size_t columns =
+      separator_ == ' ' ? words_of(rows.back(), words_of(header).size()).size() : 0;
   std::reverse(ahead_.begin(), ahead_.end());
   read_header(options.header_lines, columns);
 }
@@ -126,7 +127,10 @@ bool CsvReader::raw_line(std::string_view& text) {
   }
   if (text.find('\0') != std::string_view::npos) {
     line_ = source_.line();
-    refuse("holds a zero byte: not a text file");
+    const bool wide =
+        text.size() > 3 && text[0] != 0 && text[1] == 0 && text[2] != 0 && text[3] == 0;
+    refuse(std::string{"holds a zero byte: not a text file"} +
+           (wide ? "; --encoding UTF-16LE if it is UTF-16 without its mark" : ""));
   }
   return true;
 }
@@ -153,7 +157,7 @@ bool CsvReader::split(std::string_view text) {
   cells_.clear();
   if (text.ends_with('\r')) text.remove_suffix(1);
   if (separator_ == ' ') {
-    cells_ = words_of(text);
+    cells_ = words_of(text, header_.size());
     if (cells_.size() > most_columns) require_column(most_columns);
     return true;
   }
@@ -256,6 +260,11 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
       collect([&](std::size_t i) { return names()[i].name == name; }) ||
       (!fold.empty() && collect([&](std::size_t i) {
         return names()[i].folded_header == fold || names()[i].folded_name == fold;
+      })) ||
+      (!fold.empty() && collect([&](std::size_t i) {  // "Level [mV]": what stands before it
+        const std::string_view header = header_[i];
+        return (header.ends_with(']') || header.ends_with(')')) &&
+               folded(header.substr(0, header.find_first_of("[("))) == fold;
       })))
     return found[0];
   std::size_t number = 0;
@@ -267,21 +276,29 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
   return std::nullopt;
 }
 
-std::size_t CsvReader::column(std::string_view name) const {
-  if (const auto found = find(name)) return *found;
+std::string CsvReader::columns_there() const {
   std::string there;
   for (const auto& h : header_) there += (there.empty() ? "" : ", ") + h;
+  const std::string shown = units::printable(there, 1000);
+  const bool other_text = shown.find("\\x") != shown.npos && there.find("\\x") == there.npos;
+  return "there are: " + shown +
+         (other_text ? "; --encoding if its text is not UTF-8, such as cp1252 or GBK" : "");
+}
+
+std::size_t CsvReader::column(std::string_view name) const {
+  if (const auto found = find(name)) return *found;
   std::vector<std::string> known;
   for (const auto& n : names()) known.push_back(n.name);
-  throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", quoted_name(file()),
-                               units::printable(name), units::printable(there, 1000),
+  throw InputError{fmt::format("{}: no column \"{}\"; {}{}", quoted_name(file()),
+                               units::printable(name), columns_there(),
                                units::did_you_mean(name, known))};
 }
 
 bool CsvReader::next() {
   if (!record()) return false;
   if (cells_.size() != header_.size())
-    refuse(fmt::format("{} cells; allowed: {}, one a column", cells_.size(), header_.size()));
+    refuse(fmt::format("{} cells; allowed: {}, one a column, or a # before a line that is no row",
+                       cells_.size(), header_.size()));
   return true;
 }
 

@@ -65,6 +65,7 @@ class CsvReader {
   // are, or when more than one fits; find() gives nothing instead of the first.
   std::size_t column(std::string_view name) const;
   std::optional<std::size_t> find(std::string_view name) const;
+  std::string columns_there() const;  // "there are: a, b", for errors
 
   // The next row; false at the end. A row with another number of cells throws. Views hold until the
   // next call.

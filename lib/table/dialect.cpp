@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include <railbook/table/dates.hpp>
 #include <railbook/table/detail/parse_number.hpp>
 #include <railbook/table/detail/trim.hpp>
 
@@ -39,12 +40,20 @@ bool is_skipped(std::string_view line) {
   return line.starts_with('#') || line.find_first_not_of(blanks) == std::string_view::npos;
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
+std::vector<std::string_view> words_of(std::string_view line, std::size_t columns) {
   std::vector<std::string_view> words;
   for (std::size_t at = line.find_first_not_of(blanks); at != line.npos;) {
     const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
     words.push_back(line.substr(at, end - at));
     at = line.find_first_not_of(blanks, end);
+  }
+  for (std::size_t i = 1; columns > 0 && words.size() > columns && i < words.size(); ++i) {
+    const std::string_view last = words[i];
+    if (!is_date_or_time(words[i - 1]) || !(is_clock(last) || last == "AM" || last == "PM"))
+      continue;
+    const char* const begin = words[i - 1].data();
+    words[i - 1] = {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i--));
   }
   return words;
 }
@@ -69,7 +78,7 @@ char separator_of(std::string_view header, const std::vector<std::string>& lines
   const auto has = [&](char c) { return count(header, c) > 0; };
   if (std::none_of(candidates.begin(), candidates.end(), has)) {
     for (const std::string& line : lines) {
-      const auto words = words_of(line);
+      const auto words = words_of(line, words_of(header).size());
       if (std::count_if(words.begin(), words.end(), is_number) < 2) continue;
       const bool as_many = words_of(header).size() == words.size() ||
                            headers_of(header, words.size()).size() == words.size();

@@ -39,6 +39,9 @@ constexpr auto factors = std::to_array<std::pair<std::string_view, double>>({
     {"0,001", 0.001},
 });
 
+constexpr auto divisors = std::to_array<std::pair<std::string_view, double>>(
+    {{"/1000", 0.001}, {"/100", 0.01}, {"/10", 0.1}});
+
 // A unit as the project spells it, in letters of either case.
 std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text) {
   double factor = 1;
@@ -47,6 +50,8 @@ std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text
     if (factor == 1 && text.starts_with(written) &&
         text.find_first_of("0123456789/.,", written.size()) == text.npos)
       factor = value, text.remove_prefix(written.size());
+  for (const auto& [written, value] : divisors)  // "mm/10"
+    if (factor == 1 && text.ends_with(written)) factor = value, text.remove_suffix(written.size());
   std::string lower{trim(text)};
   if (lower.empty() || lower.size() > 40) return std::nullopt;
   std::string exact = lower;

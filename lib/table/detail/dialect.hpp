@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,9 @@ bool is_skipped(std::string_view line);
 // numbers.
 char separator_of(std::string_view header, const std::vector<std::string>& lines);
 
-// The words of a line whose cells are parted by blanks.
-std::vector<std::string_view> words_of(std::string_view line);
+// The words of a line whose cells are parted by blanks. A date and a time after it are one, where
+// there are otherwise more words than columns (0: not known).
+std::vector<std::string_view> words_of(std::string_view line, std::size_t columns = 0);
 
 // The same of its headers, which may hold single blanks where two or more part them: as many as
 // there are columns, or else words.

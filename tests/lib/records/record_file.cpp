@@ -240,6 +240,30 @@ TEST_CASE("input: miles and yards behind the point are no decimals of miles") {
                     Contains("--distance-unit mi.yd"));
   CHECK(read(rows("distance_mi,profile_mm", place, 400), {.distance_unit = "mi.yd"})
             .stream->spacing() == Approx(11 * 0.9144));
+  // Of many samples the first mile ends before the whole is known.
+  const auto close = [](int i) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4f,", 12 + i / 1760 + (i % 1760) * 1e-4);
+    return std::string{text};
+  };
+  CHECK_THROWS_WITH(read(rows("distance_mi,profile_mm", close, 3000)),
+                    Contains("--distance-unit mi.yd"));
+}
+
+TEST_CASE("input: dates and times are no places and no heights, and do no harm beside them") {
+  for (const char* time : {"2022-10-24T12:00:00", "24.10.2022", "12:00:01.5", "1/2/22 1:05 PM"}) {
+    CAPTURE(time);
+    const auto place = [&](int) { return std::string{time} + ","; };
+    CHECK_THROWS_WITH(read(rows("distance_m,profile_mm", place)),
+                      Contains("is a date or a time") && Contains("--distance none"));
+    CHECK_THROWS_WITH(read(rows("time,profile_mm", place), {.distance = "time"}),
+                      Contains("is a date or a time") && Contains("--distance none"));
+    CHECK_THROWS_WITH(read(rows("time,profile_mm", place),
+                           {.column = "time", .unit = "mm", .distance = "none", .spacing = 0.25}),
+                      Contains("is a date or a time"));
+    const auto beside = [&](int i) { return std::string{time} + "," + std::to_string(i) + ","; };
+    CHECK(read(rows("time,distance_m,profile_mm", beside)).stream->spacing() == 1);
+  }
 }
 
 TEST_CASE("input: a word that stands for a lost sample is named with its option, in places too") {

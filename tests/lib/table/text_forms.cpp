@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <railbook/table/csv.hpp>
+#include <railbook/table/dates.hpp>
 #include <railbook/units/input_error.hpp>
 
 #include "support/temporary_folder.hpp"
@@ -141,9 +142,57 @@ TEST_CASE("input: several lines of headers are joined, and cells that go over se
 TEST_CASE("input: tenths of a unit over a column") {
   for (const auto& [header, si] :
        {std::pair{"z [1/10 mm]", 1e-4}, std::pair{"z (0.1 mm)", 1e-4},
-        std::pair{"z [1/100 in]", 2.54e-4}, std::pair{"z [0,01mm]", 1e-5}})
+        std::pair{"z [mm/100]", 1e-5}, std::pair{"z [1/100 in]", 2.54e-4},
+        std::pair{"z [0,01mm]", 1e-5}})
     CHECK(table::parse_column(header).unit.si == Approx(si).epsilon(1e-14));
   CHECK(table::parse_column("z (62 ft)").unit_text.empty());
   CHECK(table::parse_column("z (2 mm)").unit_text.empty());
   CHECK(table::parse_column("z (0.1 s)").unit_text.empty());
+}
+
+TEST_CASE("input: dates and times are known, and what only looks like them is not") {
+  for (const char* text : {"2022-10-24", "24.10.2022", "10/24/22", "1.2.99", "12:00", "7:05:09.125",
+                           "12:00:01,5Z", "12:00:00+02:00", "2022-10-24T12:00:00",
+                           "2022-10-24 12:00:00.25-0500", "10/24/2022 1:05:00 PM"}) {
+    CAPTURE(text);
+    CHECK(table::is_date_or_time(text));
+  }
+  for (const char* text : {"", "12", "12.5", "-12.5", "12.345.678", "12+345.6", "12:900.00", "1-2",
+                           "2022-10-24x", "2022-10", "12K345.6M", "1/10 mm", "12:5", "1.2.3.4"}) {
+    CAPTURE(text);
+    CHECK_FALSE(table::is_date_or_time(text));
+  }
+  CHECK(table::is_date("2022/10/24"));
+  CHECK_FALSE(table::is_date("12:00"));
+  CHECK_FALSE(table::is_clock("2022-10-24"));
+}
+
+TEST_CASE("input: between blanks a date and a time are one cell or two, as the headers have them") {
+  const TemporaryFolder folder("times");
+  const auto rows = [&](const std::string& header, const std::string& text) {
+    return table::read_table(folder.write("a.txt", header + "\n" + text)).rows;
+  };
+  using Rows = std::vector<std::vector<std::string>>;
+  CHECK(rows("when x_m z_mm", "2022-10-24 12:00:00.5 0 1.5\n2022-10-24 12:00:01 0.25 -2\n") ==
+        Rows{{"2022-10-24 12:00:00.5", "0", "1.5"}, {"2022-10-24 12:00:01", "0.25", "-2"}});
+  CHECK(rows("day time x_m z_mm", "24.10.2022 12:00 0 1.5\n") ==
+        Rows{{"24.10.2022", "12:00", "0", "1.5"}});
+  CHECK(rows("when x_m z_mm", "10/24/2022 1:05 PM 0 1.5\n") ==
+        Rows{{"10/24/2022 1:05 PM", "0", "1.5"}});
+}
+
+TEST_CASE("input: a column that is not there is refused with what may find it") {
+  const TemporaryFolder folder("columns");
+  const auto reader = [&](const std::string& text) {
+    return table::CsvReader{folder.write("a.csv", text)};
+  };
+  const table::CsvReader other = reader("Weg;H\xF6he\n0;1\n");
+  CHECK_THROWS_WITH(other.column("x"), Contains("--encoding if its text is not UTF-8"));
+  CHECK_THROWS_WITH(reader("Weg;H\xC3\xB6he\n0;1\n").column("x"), !Contains("--encoding"));
+  // A name before what is no unit; one that fits two is refused.
+  CHECK(reader("x_m,Level [counts]\n0,1\n").column("level") == 1);
+  CHECK_THROWS_WITH(reader("Level [raw],Level (new)\n0,1\n").column("level"),
+                    Contains("is there twice"));
+  CHECK_THROWS_WITH(reader(std::string{"a\0,\0b\0\n\0", 8}), Contains("--encoding UTF-16LE"));
+  CHECK_THROWS_WITH(reader(std::string{"\0\1\2\3abc\0\n", 9}), !Contains("--encoding"));
 }
