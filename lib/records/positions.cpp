@@ -171,7 +171,13 @@ double read_position(const Positions& p, const table::CsvReader& reader, const C
       sum += metric ? 1000 * major + minor : p.major * major + p.minor * minor;
     } else {
       refuse_time(reader, p.columns[i]);
-      const double number = cells.number(p.columns[i]);
+      const double number = [&] {
+        try {
+          return cells.number(p.columns[i]);
+        } catch (const InputError& error) {
+          throw InputError{error.what() + std::string{"; places may be written 12+345.6, too"}};
+        }
+      }();
       if (p.in_two && !std::isnan(number))
         refuse(reader, p.columns[i], "allowed: 12+345, as the unit of this column says");
       const double metres = p.metres(i, number);

@@ -80,9 +80,9 @@ class CsvReader {
   std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values,
                       const TwoParts* parts = nullptr);
 
-  // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN",
-  // "NA", "N/A", "null" and dashes, are NaN; anything else throws, so does a number that rounds to
-  // infinity, or to 0 without being it.
+  // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN" (as
+  // C libraries write it, too), "NA", "N/A", "null" and dashes, are NaN; anything else throws, so
+  // does a number that rounds to infinity, or to 0 without being it.
   double number(std::size_t column) const;
   [[noreturn]] void refuse_number(std::size_t column) const;
 

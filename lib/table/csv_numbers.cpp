@@ -170,10 +170,11 @@ struct PlainRows {
 
 bool is_missing(std::string_view cell) {
   if (cell.empty()) return true;
-  if (cell.size() > 4) return false;
+  if (cell.size() > 9) return false;
   std::string lower{cell};
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* word : {"nan", "na", "n/a", "#n/a", "null", "nv", "-", "--"})
+  for (const char* word : {"nan", "na", "n/a", "#n/a", "null", "nv", "-", "--", "-nan", "nan(ind)",
+                           "-nan(ind)", "1.#qnan", "-1.#ind"})
     if (lower == word) return true;
   return false;
 }

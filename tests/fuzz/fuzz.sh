@@ -5,10 +5,20 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 clang=$(command -v clang++ clang++-14 clang++-19 | head -n 1) || { echo "clang++ is not installed"; exit 2; }
 mkdir -p build/fuzz/found
-"$clang" -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS \
-  -ffp-exception-behavior=maytrap -Ibuild/include tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
+flags=(-std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS
+  -ffp-exception-behavior=maytrap -Ibuild/include -Itests)
+"$clang" "${flags[@]}" tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
   lib/profiles/{field_profile,miniprof,simpack,vampire,plain_profile,profile_points}.cpp \
   -lfmt -lz -o build/fuzz/parsers
 build/fuzz/parsers -max_total_time="${1:-60}" -timeout=10 -rss_limit_mb=4096 -max_len=4096 -print_final_stats=1 \
   -artifact_prefix=build/fuzz/ build/fuzz/found tests/fuzz/corpus
+# What reads HDF5 and MAT files, in one process with the libraries: a fault may be theirs, which the command outlives.
+if pkg-config --exists hdf5 matio; then
+  # shellcheck disable=SC2046 # options
+  "$clang" "${flags[@]}" -DH5_USE_110_API $(pkg-config --cflags hdf5 matio) tests/fuzz/containers.cpp lib/containers/{container,hdf5,mat}.cpp \
+    lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp $(pkg-config --libs hdf5 matio) -lfmt -lz -o build/fuzz/containers
+  mkdir -p build/fuzz/found-containers
+  build/fuzz/containers -max_total_time="${1:-60}" -timeout=20 -rss_limit_mb=4096 -max_len=8192 -print_final_stats=1 -detect_leaks=0 \
+    -artifact_prefix=build/fuzz/container- build/fuzz/found-containers tests/fuzz/containers
+fi
 [ ! -x build/bin/railbook ] || tests/fuzz/command_lines.sh "$PWD/build/bin/railbook" 1000 "$RANDOM"

@@ -22,6 +22,8 @@
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/quantity.hpp>
 
+#include "support/workbook.hpp"
+
 using namespace railbook;
 
 namespace {
@@ -119,6 +121,26 @@ void parse(int which, std::string_view bytes) {
         static_cast<void>(profiles::check_points(std::move(read->points), body));
       break;
     }
+    case 'y': {  // a sheet, and behind a zero byte the texts that it shares
+      const std::size_t end = std::min(bytes.find('\0'), bytes.size());
+      const std::string strings{bytes.substr(std::min(end + 1, bytes.size()))};
+      const Held file(workbook::zipped(workbook::book(std::string{bytes.substr(0, end)}, strings)));
+      static_cast<void>(table::read_table(file.name()));
+      break;
+    }
+    case 'e':  // the first line is an encoding, or a data set: the program that reads it may fail
+    case 'h': {
+      const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+      const std::string first{bytes.substr(0, end)};
+      const Held file(bytes.substr(std::min(end + 1, bytes.size())));
+      table::TextOptions options{.header_lines = 1 + bytes.size() % 2};
+      if (which == 'h') options = {.dataset = first};
+      if (which == 'e') options.encoding = first;
+      table::CsvReader reader(file.name(), options);
+      while (reader.next()) {
+      }
+      break;
+    }
     default: {  // what is written is read as it was
       const std::string cell = table::csv_cell(bytes);
       const std::string text(bytes);
@@ -135,7 +157,11 @@ void parse(int which, std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    parse(data[0] == '8' || data[0] == '9' ? data[0] - '0' : data[0] % 8,
+    const char first = static_cast<char>(data[0]);
+    const bool letter = first == 'y' || first == 'e' || first == 'h';
+    parse(letter                         ? first
+          : first == '8' || first == '9' ? first - '0'
+                                         : data[0] % 8,
           {reinterpret_cast<const char*>(data) + 1, size - 1});
   } catch (const InputError&) {
   } catch (const files::OutsideError&) {

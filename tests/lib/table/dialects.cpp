@@ -103,9 +103,9 @@ TEST_CASE("input: columns by number, and a file without headers") {
 }
 
 TEST_CASE("input: cells that stand for nothing") {
-  const File f{"a_m,b_m\n,NaN\nNA,n/a\n-,null\n#,NV\n"};
+  const File f{"a_m,b_m\n,NaN\nNA,n/a\n-,null\n-nan,-nan(ind)\n1.#QNAN,-1.#IND\n#,NV\n"};
   table::CsvReader reader{f.path};
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 5; ++i) {
     REQUIRE(reader.next());
     CHECK(std::isnan(reader.number(0)));
     CHECK(std::isnan(reader.number(1)));
