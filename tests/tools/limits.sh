@@ -52,6 +52,7 @@ awk -F, '$2 == "gauge mean-to-peak 100m" {++n; if ($4 < 250 || $5 > 1251) exit 2
 one "crosslevel twist 3m" '$4 > 1002 && $5 <= 1004 && near($6, 10, 1e-6) && $9 == "mm/m"'
 one "crosslevel change 3m" '$3 == "IAL" && near($6, 27.5, 1e-6)'
 [ "$(value exceptions)" = "$(($(wc -l <out/exceptions.csv) - 1)).0" ] && [ "$(value exceptions_level_D1_AL)" = 1.0 ] && [ "$(value not_judged)" = "" ] || fail "the summary: $(cat out/measures.json)"
+grep -q 'not evaluated  *0 m .*up to 50 m at each end' said || fail "the ends: half of the mean of 100 m"
 grep -q '^    level D1 AL .*(level -[0-9.]* mm at 1500 m, limit -8)' said || fail "the worst place"
 # Another speed, a class, gauge as a deviation; the faster end of a range belongs to it.
 # shellcheck disable=SC2086

@@ -115,4 +115,10 @@ std::size_t LimitWatch::not_evaluated(const records::RecordStream& record) const
   return most;
 }
 
+std::size_t LimitWatch::reach() const {
+  std::size_t most = 0;
+  for (const Watched& w : watched_) most = std::max(most, w.stream->reach());
+  return most;
+}
+
 }  // namespace railbook::quality_tool

@@ -48,6 +48,8 @@ class LimitWatch {
   bool judges(const Limit& limit) const;
   // Samples of the record that could not be judged for what is missing, bridged or taken out.
   std::size_t not_evaluated(const records::RecordStream& record) const;
+  // Samples at each end of the record that some measure has no value of, at the most.
+  std::size_t reach() const;
 
  private:
   struct Watched {

@@ -125,8 +125,8 @@ tool::Tool measures_tool() {
         o.text("--chord", options->chord,
                "the columns of level and alignment are the offsets of this chord, 62ft or 3m+7m");
         o.text("--filtered", options->filtered,
-               "the columns of level and alignment are filtered to this band already; by-name: "
-               "each to the band that its header names");
+               "the columns of level and alignment are filtered to this band already, and --bands "
+               "is for others; by-name: each to the band that its header names");
         o.count("--fra-class", options->fra_class,
                 "list where this class's limits are left: profile, alinement, gauge, cross level "
                 "and warp on tangent track; of classes 6 to 9, alinement",

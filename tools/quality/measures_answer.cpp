@@ -311,8 +311,12 @@ void add_exceptions(tool::Summary& s, const MeasuresOptions& options, const Meas
                       worst->exceedance.bound / limit.unit()));
   }
   add_judged(s, options, m);
+  std::size_t reach = 0;
+  for (const Channel& channel : m.channels) reach = std::max(reach, channel.watch()->reach());
   s.add("not_evaluated_m", "  not evaluated", lost, "m",
-        "missing, bridged or taken out, or within the reach of a measure");
+        fmt::format("missing, bridged or taken out, or near that; besides, up to {:.4g} m at each "
+                    "end of the record",
+                    static_cast<double>(reach) * m.records.front()->spacing()));
 }
 
 }  // namespace
