@@ -1,10 +1,11 @@
 /***
 ### Which formulas lose digits, and which keep them?
 
-Rounding makes each number wrong by about $10^{-16}$ of itself. A difference of two numbers that are
-nearly equal keeps that error and loses the numbers. Three such differences stand in the formulas of this book.
-The low-pass of a chord holds $1-\cos\theta$ at small $\theta$, for long waves. The answer of a first-order
-filter to a constant holds $1-e^{-\kappa}$, where the car is fast. A second-order filter next to critical damping has
+Rounding makes each number wrong by about $10^{-16}$ of itself. A difference of two numbers that
+are nearly equal keeps that error and loses the numbers. Three such differences stand in the
+formulas of this book. The offset of a chord has the gain $1-\cos\theta$, which is small for long
+waves. The answer of a first-order filter to a constant holds $1-e^{-\kappa}$, which is small
+where the car is fast. A second-order filter next to critical damping has
 $(e^{-(\sigma-w)T}-e^{-(\sigma+w)T})/2w$ with a small $w$. Each has a form that subtracts nothing.
 
 {{lost-digits}}
