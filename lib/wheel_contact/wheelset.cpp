@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include <railbook/num/roots.hpp>
 #include <railbook/units/constants.hpp>
@@ -26,8 +27,11 @@ struct Balance {
   const ProfilePair &left, &right;
   const WheelInput& input;
   WheelsetResult& out;
+  std::optional<Method> last = {};  // by which `out` was found
 
   void solve(double roll, double angular_velocity, Method method) {
+    if (last == method && roll == out.pose.roll && angular_velocity == out.angular_velocity) return;
+    last = method;
     WheelInput w = input;
     w.angular_velocity = angular_velocity, w.method = method;
     out.pose.roll = roll, out.angular_velocity = angular_velocity;
