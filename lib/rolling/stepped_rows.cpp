@@ -42,9 +42,9 @@ struct SteppedRows::Parts {
   // A complex matrix as two real ones: products of those are several times as fast.
   struct Split {
     MatrixXd re, im;
-    void resize(Index rows, Index columns) {
-      re.setZero(rows, columns);
-      im.setZero(rows, columns);
+    void resize(Index height, Index width) {
+      re.setZero(height, width);
+      im.setZero(height, width);
     }
     void put(Index i, Index j, const std::complex<double>& value) {
       re(i, j) = value.real(), im(i, j) = value.imag();
