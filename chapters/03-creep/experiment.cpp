@@ -316,7 +316,7 @@ void constant_creep(report::Item& item) {
   }
   item.value("slope-ratio", most / least, "", "{:.1f}");
   item.value("slopes", slopes);
-  for (const std::size_t k : {2, 3})
+  for (const std::size_t k : {2U, 3U})
     item.value(fmt::format("mu-{:.0f}", tests()[k].load / units::lbf),
                tests()[k].average.mu(tests()[k].load, 0.004), "", "{:.2f}");
 }

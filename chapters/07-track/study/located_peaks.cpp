@@ -8,6 +8,7 @@ right-hand side of the equations and, roughly, when the peaks are.
 
 #include <railbook/track/impact_system.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 #include "located_peaks.hpp"
 

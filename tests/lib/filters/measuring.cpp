@@ -181,7 +181,7 @@ TEST_CASE("A running sum is the sum of each window, however often it begins anew
   std::vector<std::uint64_t> x;
   for (std::uint64_t i = 0; i < 500; ++i) x.push_back(i * i * 7919 % 1009);
   for (const int length : {1, 2, 31, 499, 500})
-    for (const std::size_t restart : {0, 1, 2, 7, 100, 469, 470, 471, 4096}) {
+    for (const std::size_t restart : {0U, 1U, 2U, 7U, 100U, 469U, 470U, 471U, 4096U}) {
       const auto sums = running_sum<std::uint64_t>(x, length, restart);
       const auto n = static_cast<std::size_t>(length);
       REQUIRE(sums.size() == x.size() - n + 1);

@@ -238,8 +238,8 @@ TEST_CASE("geometry car: a clock that trembles is no braking", "[reconstruction]
   Record r = cruise(track, car, 60 * mph);
   for (std::size_t i = 0; i < r.size(); ++i) r.elapsed[i] *= i % 2 == 0 ? 1.0001 : 0.9999;
   const auto m = reconstruct(r, p);
-  for (const Quality g : quality(m, Parameter::profile_left, p))
-    CHECK((g == Quality::good || g == Quality::missing));
+  for (const Quality grade : quality(m, Parameter::profile_left, p))
+    CHECK((grade == Quality::good || grade == Quality::missing));
   CHECK(braking_error(0.01, -0.5, 18.8976, 26.8224) == Approx(3.1025e-4).epsilon(1e-3));
 }
 

@@ -129,8 +129,8 @@ TEST_CASE("Gaps split the record into pieces of their own", "[quality]") {
 TEST_CASE("A single lost sample is a gap wherever it stands", "[quality]") {
   const auto taps = design_filter(stroke_envelope(), {.spacing = 0.5, .shortest = 0, .reach = 100});
   const auto z = noise(1200);
-  for (const std::size_t at :
-       {600, 0, 1, 2, 127, 255, 256, 257, 511, 512, 767, 768, 1023, 1024, 1198, 1199}) {
+  for (const std::size_t at : {600U, 0U, 1U, 2U, 127U, 255U, 256U, 257U, 511U, 512U, 767U, 768U,
+                               1023U, 1024U, 1198U, 1199U}) {
     auto lost = z;
     lost[at] = std::numeric_limits<double>::quiet_NaN();
     const auto p = filter(taps, lost);

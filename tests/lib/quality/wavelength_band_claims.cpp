@@ -35,7 +35,7 @@ Long chord_gain(Long chord, Long phi) {
 }  // namespace
 
 TEST_CASE("claim: filters of bands") {
-  Claim bands("filters::band_taps");
+  Claim claim("filters::band_taps");
   RandomStream draw(81);
   for (int k = 0; k < 200; ++k) {
     const double shortest = draw.decades(1, 70), spacing = shortest * draw.decades(0.05, 0.5);
@@ -44,9 +44,9 @@ TEST_CASE("claim: filters of bands") {
     const filters::FilterTaps taps = band_taps(band, passes, spacing);
     for (int i = 0; i < 5; ++i) {
       const double phi = draw.decades(1 / band.longest, 1 / band.shortest);
-      bands.relative(gain(taps, phi), band_gain(band, passes, phi));
+      claim.relative(gain(taps, phi), band_gain(band, passes, phi));
     }
-    bands.error(static_cast<double>(std::abs(gain(taps, 0))));
+    claim.error(static_cast<double>(std::abs(gain(taps, 0))));
   }
 }
 

@@ -96,8 +96,8 @@ TEST_CASE("unit: places follow the positions to half a sample where the spacing 
   std::vector<double> x;
   for (int i = 0; i < 40000; ++i)
     x.push_back(i == 0 ? 100 : x.back() + 0.25 * (i < 15000 ? 1 : 1.01));
-  for (int i = 0; i < 40000; ++i)
-    c.stream.add(std::round(100 * x[i]) / 100, 0.001 * std::sin(0.7 * i));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    c.stream.add(std::round(100 * x[i]) / 100, 0.001 * std::sin(0.7 * static_cast<double>(i)));
   c.stream.finish();
   for (std::size_t i = 0; i < x.size(); i += 7)
     REQUIRE(std::abs(c.stream.places().at(i) - x[i]) < 0.2);

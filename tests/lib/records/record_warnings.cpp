@@ -49,7 +49,7 @@ Heard hear(const std::vector<double>& z, std::size_t bridge = 0) {
 }  // namespace
 
 TEST_CASE("unit: more than a twentieth of the samples bridged is doubted") {
-  for (const std::size_t gaps : {199, 200, 201, 400}) {
+  for (const std::size_t gaps : {199U, 200U, 201U, 400U}) {
     auto z = track(4000);
     for (std::size_t k = 0; k < gaps; ++k) z[5 + 9 * k] = lost;
     INFO(gaps << " of 4000");
@@ -62,7 +62,7 @@ TEST_CASE("unit: more than a twentieth of the samples bridged is doubted") {
 }
 
 TEST_CASE("unit: roughness is that of offsets over 20 m, of which there must be a hundred") {
-  for (const std::size_t n : {179, 180, 3000}) {
+  for (const std::size_t n : {179U, 180U, 3000U}) {
     auto z = track(n);
     if (n > 1000) z[1500] = lost;
     double sum = 0, offsets = 0;

@@ -76,7 +76,7 @@ const std::vector<std::size_t> places{0, 1, 77, 8191, 8192, 16383, 20000, 39998,
 }  // namespace
 
 TEST_CASE("unit: a gauge that moves by single quanta is not reported as stuck") {
-  for (const std::size_t at : {5000, 8191, 8192, 8193, 16384}) {
+  for (const std::size_t at : {5000U, 8191U, 8192U, 8193U, 16384U}) {
     std::vector<double> z(80000, 0.0);  // longer than all it looks at at once
     z[1] = 1e-3;
     shift(z, at, z.size(), 1e-3);
@@ -360,7 +360,7 @@ TEST_CASE("unit: what leaves and comes back little by little is outliers where i
 TEST_CASE("unit: a coarse record stands still longer before it is stuck") {
   // Half a step a sample: five steps take between 8 and 16 samples, and 8 times 16 equal ones are a
   // sensor that stuck.
-  for (const std::size_t run : {60, 120, 127, 128, 140}) {
+  for (const std::size_t run : {60U, 120U, 127U, 128U, 140U}) {
     std::vector<double> z;
     for (std::size_t k = 0; z.size() < 8000; ++k) {
       const double place = std::abs(static_cast<double>(k % 1600) - 800);
@@ -377,10 +377,10 @@ TEST_CASE("unit: a coarse record stands still longer before it is stuck") {
 }
 
 TEST_CASE("unit: no uneven spacing is reported for an even record") {
-  for (const std::size_t samples : {0, 1}) {
-    records::PlaceMap places{0.5, 7};
-    if (samples > 0) places.add(0, 7.0);
-    const auto u = places.unevenness();
+  for (const std::size_t samples : {0U, 1U}) {
+    records::PlaceMap map{0.5, 7};
+    if (samples > 0) map.add(0, 7.0);
+    const auto u = map.unevenness();
     CHECK(u.share == 0);
     CHECK(u.from == 0);
     CHECK(u.to == 0);

@@ -17,7 +17,6 @@ using namespace railbook::cycles;
 using namespace railbook::vehicle;
 using namespace railbook::tests;
 using units::foot, units::inch;
-using Gains = QuasiLinearCar::Gains;
 
 TEST_CASE("claim: modes and critical speeds of the linear car", "[thorough]") {
   Claim matrices("vehicle::QuasiLinearCar"), shapes("vehicle::modes"),

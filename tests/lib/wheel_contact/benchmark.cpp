@@ -124,7 +124,7 @@ TEST_CASE("unit: the benchmark's case A2.2 as CONTACT answers it") {
 }
 
 TEST_CASE("unit: a free wheelset finds the benchmark's roll and turning") {
-  for (const std::size_t i : {2, 8}) {
+  for (const std::size_t i : {2U, 8U}) {
     INFO("y = " << i << " mm");
     WheelInput input = benchmark_wish(i);
     input.angular_velocity = 0;
@@ -139,7 +139,7 @@ TEST_CASE("unit: a free wheelset finds the benchmark's roll and turning") {
 }
 
 TEST_CASE("unit: the strips are near CONTACT on ordinary patches") {
-  for (const std::size_t i : {1, 2, 3, 4, 6}) {
+  for (const std::size_t i : {1U, 2U, 3U, 4U, 6U}) {
     INFO("right wheel, y = " << i << " mm");
     WheelInput input = benchmark_wish(i);
     input.method = Method::strips;
