@@ -264,14 +264,16 @@ function(drawing)
   file(WRITE ${dir}/figures/01-sample/fig-1.svg "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><title>Gnuplot</title>
     <g transform=\"translate(9,9) rotate(270)\" ${words}pressure, psi</tspan></text>\n</g><g transform=\"translate(9,9)\" ${words}x &lt; 1, in</tspan></text>\n</g>
     <g id=\"gnuplot_plot_1\" ><title>Hertz</title></g><g id=\"gnuplot_plot_2\" ><title>gnuplot_plot_2</title></g>
-    <text><tspan > -12.34</tspan></text><path d='M104.31,99.27 L11.34,7.56'/><text><tspan>tread 12.34 in</tspan></text></svg>")
+    <text><tspan > -12.34</tspan></text><path d='M104.31,99.27 L11.34,7.56'/>
+    <polygon fill = '#bfddee' fill-opacity = '0.70' points = '104.31,99.27 11.34,7.56 
+20.00,7.56 '/><text><tspan>tread 12.34 in</tspan></text></svg>")
   expect_page("class=\"drawing\"" "src=\"figures/01-sample/fig-1.svg\"" "alt=\"Graph of pressure, psi against x &lt; 1, in. Curves: Hertz.\"")
   file(READ ${dir}/book/figures/01-sample/fig-1.svg svg)
   file(WRITE ${dir}/figures/01-sample/fig-1.svg "<svg viewBox=\"0 0 1000 500\"><text font-size=\"14.0\"><tspan >10</tspan><tspan  font-size=\"11.2\" dy=\"-7\">3</tspan></text></svg>")
   weave()
   file(READ ${dir}/book/figures/01-sample/fig-1.svg raised)
   has("the exponent" "${raised}" "<tspan font-size=\"12.3\" dy=")
-  has("the drawing" "${svg}" ">tread 12.34 in<" "> −12.34<" "M104.3,99.3l-93-91.7" "fill=\"#3a799c\" font-size")
+  has("the drawing" "${svg}" ">tread 12.34 in<" "> −12.34<" "M104.3,99.3l-93-91.7" "<path fill='#bfddee' fill-opacity='0.7' d='M104.3,99.3l-93-91.7 8.7,0z'/>" "fill=\"#3a799c\" font-size")
   expect_links(01-sample gallery)
   if(EXISTS ${dir}/book/figures/01-sample/fig-1.png)
     message(FATAL_ERROR "the book has the figure twice")
