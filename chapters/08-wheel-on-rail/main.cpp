@@ -86,12 +86,14 @@ from it. The power was first chosen because the planes then met CONTACT's; this 
 
 ## Load, creepage and force
 
-**How do the patches share the load?** The wheel sinks until the vertical parts of all patches' forces,
-friction's included, add up to its load. `solve_full` is the whole sequence: a coarse grid finds the
-depth and places the planes (`balance`, `lower_frames`), a fine one repeats it, and pressure and friction
-are solved in turns (`roll`) until the load is met:
+**How do the patches share the load?** The wheel sinks until the vertical parts of all patches'
+forces, friction's included, add up to its load. `solve_full` has three steps: `place_planes` finds
+the depth on a coarse grid and places the planes there, `fit_grid` finds it again on a fine one, and
+`settle_friction` solves pressure and friction in turn until the load is met:
 
-{{code: wheel_contact/wheel.cpp solve_full}}
+{{code: wheel_contact/wheel.cpp place_planes}}
+
+{{code: wheel_contact/wheel.cpp settle_friction}}
 
 The pressures are those of elastic half-spaces, by the conjugate gradients of
 [chapter 01](01-contact.html).
@@ -351,17 +353,17 @@ const report::Section benchmark{
                   "Case A2.2 of the Manchester benchmark, a row for each wheel, named by side and "
                   "shift in millimetres; of two patches the one that carries most",
                   case_a),
-    report::figure(
-        "fig-pressure",
-        "The largest pressure grows several times when the flange takes over. Largest pressure "
-        "against the shift, the left wheel at negative shifts and the right at positive "
-        "ones: points by CONTACT, lines by this program's three methods",
-        fig_pressure),
+    report::figure("fig-pressure",
+                   "The largest pressure grows several times when the flange takes over. Largest "
+                   "pressure against the shift, the left wheel at negative shifts and the right at "
+                   "positive ones: points by CONTACT, solid the full theory of this program, "
+                   "broken its two fast methods, by strips and by Hertz's ellipse.",
+                   fig_pressure),
     report::figure(
         "fig-force",
-        "The full theory meets CONTACT's force along the track, and the fast methods miss it "
-        "at no shift and on the flange. Force along the track against the shift, as in the "
-        "figure before",
+        "The full theory meets CONTACT's force along the track, and the fast methods miss it at no "
+        "shift and on the flange. Force along the track against the shift, left wheel at negative "
+        "shifts; points by CONTACT, solid the full theory, broken the two fast methods.",
         fig_force)};
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <railbook/cycles/step_length.hpp>
 #include <railbook/num/roots.hpp>
@@ -139,6 +140,14 @@ LimitCycle BranchWalker::describe(const BranchPoint& p, double slope) {
   return c;
 }
 
+// Ends a closed branch with its first point: from the guess x across the direction t, or with
+// `point` where that does not converge.
+void BranchWalker::close(VectorXd x, const VectorXd& t, double slope, LimitCycle point) {
+  branch.stop = BranchStop::closed;
+  if (solver.correct(x, t, t.dot(x))) point = describe(solver.place(x), slope);
+  branch.points.push_back(std::move(point));
+}
+
 bool BranchWalker::advance() {
   solver.measure(at_);
   const VectorXd from = solver.scaled(at_), t = solver.scaled_direction(along_);
@@ -153,14 +162,9 @@ bool BranchWalker::advance() {
     at_ = solver.place(x);
     along_ = solver.direction(next);
     LimitCycle point = describe(at_, next[next.size() - 1]);
-    const int before = orientation_;
-    orientation_ = orientation;
-    find_special(from, t, next, point, before * orientation_ < 0);
+    find_special(from, t, next, point, std::exchange(orientation_, orientation) * orientation < 0);
     if (const double part = part_to_first(point); part > 0) {
-      branch.stop = BranchStop::closed;
-      x = from + part * step_ * t;
-      if (solver.correct(x, t, t.dot(x))) point = describe(solver.place(x), next[next.size() - 1]);
-      branch.points.push_back(std::move(point));
+      close(from + part * step_ * t, t, next[next.size() - 1], std::move(point));
       return true;
     }
     if (settle()) {

@@ -280,43 +280,69 @@ struct Full {
   bool touches_edge() const {
     return std::ranges::any_of(cells, [](const auto& c) { return c->region.touches_edge(); });
   }
+
+  // The three steps of the solution. Each says why it failed; nullptr: it did not.
+  const char* place_planes();
+  const char* fit_grid();
+  const char* settle_friction();
+  static constexpr const char* unborne = "the load was not met by the half-space's pressures";
+  static constexpr const char* unsettled = "the stick and slip areas did not settle";
 };
+
+// The depth on a coarse grid, planes at that depth, and the coarse answer.
+const char* Full::place_planes() {
+  const Index nx = w.input.along / 2, ny = w.input.across / 2;
+  mesh(nx, ny);
+  if (!balance(1e-2)) return unborne;
+  lower_frames();
+  mesh(nx, ny);
+  if (!balance(1e-3)) return unborne;
+  forget_unloaded();
+  describe();
+  if (w.input.friction.largest() > 0 && !roll()) return unsettled;
+  coarse = all;
+  return nullptr;
+}
+
+// The depth on the cells asked for, on larger grids until the contact fits.
+const char* Full::fit_grid() {
+  for (int k = 0; k < 4; ++k) {
+    mesh(w.input.along, w.input.across);
+    if (!balance(1e-5)) return unborne;
+    describe();
+    if (!touches_edge()) return nullptr;
+  }
+  return "the contact did not fit its grid";
+}
+
+// Pressure and friction in turn until the load is met. Near Nadal's edge friction bears nearly as
+// much as the flange presses, and its share falls as the load grows: the depth that balances one
+// share swings about that which balances its own. Where that has not ended, it is sought between
+// the last two.
+const char* Full::settle_friction() {
+  double last = 0, last_off = 0;
+  for (int k = 0; w.input.friction.largest() > 0; ++k) {
+    if (!roll()) return unsettled;
+    const double off = vertical_force(all) / w.input.load - 1, here = down;
+    if (std::abs(off) < 1e-3) break;
+    if (k == 15) return "friction and load did not settle";
+    const bool swings = k >= 7 && off * last_off < 0;
+    if (swings) down = here + (last - here) * off / (off - last_off);
+    if (!(swings ? press() : balance(1e-5))) return unborne;
+    describe();
+    last = here, last_off = off;
+  }
+  return nullptr;
+}
 
 void solve_full(const Work& w, double z, WheelResult& out) {
   Full f{w, z, out.patches, {}};
-  const auto fail = [&](const char* why) { out.converged = false, out.reason = why; };
-  constexpr const char* unborne = "the load was not met by the half-space's pressures";
-  constexpr const char* unsettled = "the stick and slip areas did not settle";
-  f.mesh(w.input.along / 2, w.input.across / 2);
-  if (!f.balance(1e-2)) return fail(unborne);
-  f.lower_frames();
-  f.mesh(w.input.along / 2, w.input.across / 2);
-  if (!f.balance(1e-3)) return fail(unborne);
-  f.forget_unloaded();
-  f.describe();
-  if (w.input.friction.largest() > 0 && !f.roll()) return fail(unsettled);
-  f.coarse = f.all;
-  for (int k = 0;; ++k) {
-    f.mesh(w.input.along, w.input.across);
-    if (!f.balance(1e-5)) return fail(unborne);
-    f.describe();
-    if (!f.touches_edge()) break;
-    if (k == 3) return fail("the contact did not fit its grid");
-  }
-  // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as
-  // the load grows: the depth that balances one share swings about that which balances its own.
-  // Where that has not ended, it is sought between the last two.
-  double last = 0, last_off = 0;
-  for (int k = 0; w.input.friction.largest() > 0; ++k) {
-    if (!f.roll()) return fail(unsettled);
-    const double off = vertical_force(f.all) / w.input.load - 1, here = f.down;
-    if (std::abs(off) < 1e-3) break;
-    if (k == 15) return fail("friction and load did not settle");
-    const bool swings = k >= 7 && off * last_off < 0;
-    if (swings) f.down = here + (last - here) * off / (off - last_off);
-    if (!(swings ? f.press() : f.balance(1e-5))) return fail(unborne);
-    f.describe();
-    last = here, last_off = off;
+  const char* failed = f.place_planes();
+  if (!failed) failed = f.fit_grid();
+  if (!failed) failed = f.settle_friction();
+  if (failed) {
+    out.converged = false, out.reason = failed;
+    return;
   }
   f.state_errors();
   out.z = f.z0 + f.down;

@@ -81,6 +81,13 @@ void WheelsetOnTrack::pose(const Part& part, double x, double s, double c, Part&
   }
 }
 
+void WheelsetOnTrack::pose_all(const std::vector<Part>& parts, double x, double phi,
+                               std::vector<Part>& out) {
+  const double s = std::sin(phi), c = std::cos(phi);
+  out.resize(parts.size());
+  for (std::size_t k = 0; k < out.size(); ++k) pose(parts[k], x, s, c, out[k]);
+}
+
 double WheelsetOnTrack::height(const Part& part, double u) {
   if (part.radius == 0) return part.z0 + part.slope * (u - part.u0);
   const double du = u - part.uc;
@@ -106,28 +113,25 @@ std::optional<double> WheelsetOnTrack::parallel(const Part& w, const Part& r) {
 
 WheelsetOnTrack::Least WheelsetOnTrack::least_gap(const Side& side, double x, double phi,
                                                   std::vector<Part>& posed) {
-  const std::vector<Part>&wheel_parts = side.wheel, &rail_parts = side.rail;
-  const double s = std::sin(phi), c = std::cos(phi);
-  posed.resize(wheel_parts.size());
-  for (std::size_t k = 0; k < posed.size(); ++k) pose(wheel_parts[k], x, s, c, posed[k]);
+  const std::vector<Part>& rail = side.rail;
+  pose_all(side.wheel, x, phi, posed);
   std::size_t i = 0, j = 0;
-  double from = std::max(posed.front().u0, rail_parts.front().u0);
+  double from = std::max(posed.front().u0, rail.front().u0);
   while (i < posed.size() && posed[i].u1 <= from) ++i;
-  while (j < rail_parts.size() && rail_parts[j].u1 <= from) ++j;
+  while (j < rail.size() && rail[j].u1 <= from) ++j;
   Least best;
-  if (i == posed.size() || j == rail_parts.size()) return best;
+  if (i == posed.size() || j == rail.size()) return best;
   const auto offer = [&](double u, double tangent_sine, bool at_end) {
-    const double z = height(rail_parts[j], u), gap = height(posed[i], u) - z;
+    const double z = height(rail[j], u), gap = height(posed[i], u) - z;
     if (gap < best.gap) best = {gap, tangent_sine, {u, z}, at_end, true};
   };
   offer(from, sine(posed[i], from), true);
   for (;;) {
-    const Part &w = posed[i], &r = rail_parts[j];
+    const Part &w = posed[i], &r = rail[j];
     const double to = std::min(w.u1, r.u1);
     if (const auto u = parallel(w, r); u && *u > from && *u < to) offer(*u, sine(w, *u), false);
     const bool wheel_ends = w.u1 <= to, rail_ends = r.u1 <= to;
-    const bool last =
-        (wheel_ends && i + 1 == posed.size()) || (rail_ends && j + 1 == rail_parts.size());
+    const bool last = (wheel_ends && i + 1 == posed.size()) || (rail_ends && j + 1 == rail.size());
     // At a corner of the wheel the rail says how the common tangent lies.
     offer(to, wheel_ends ? sine(r, to) : sine(w, to), last);
     if (last) return best;

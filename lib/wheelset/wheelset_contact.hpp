@@ -80,6 +80,8 @@ class WheelsetOnTrack {
   };
   static Part part_of(const profiles::Piece& piece);
   static void pose(const Part& part, double x, double s, double c, Part& out);
+  static void pose_all(const std::vector<Part>& parts, double x, double phi,
+                       std::vector<Part>& out);
   static double height(const Part& part, double u);
   static double sine(const Part& part, double u);
   static std::optional<double> parallel(const Part& w, const Part& r);
