@@ -99,7 +99,8 @@ function check_tables.trial(check)
     parts[i] = ("%s (%s): %s"):format(v.choice, settings(v.settings), v.range)
   end
   local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) end
-  return ("%s is %s in every variation. %s."):format(sentence(check.trial.quantity), check.trial.range, sentence(table.concat(parts, "; ")))
+  local comma = check.trial.quantity:find(",", 1, true) and "," or ""
+  return ("%s%s is %s in every variation. %s."):format(sentence(check.trial.quantity), comma, check.trial.range, sentence(table.concat(parts, "; ")))
 end
 
 -- The reason of a check with its trial.

@@ -266,6 +266,7 @@ function items.checks(r)
   local out = {passed == total and ("All %d automatic checks pass."):format(total) or ("%d of %d checks passed."):format(passed, total)}
   if #paper > 0 then out[#out + 1] = "Of the paper’s numbers and claims " .. counts(paper) .. (#others > 0 and ";" or ".") end
   if #others > 0 then out[#out + 1] = (#paper > 0 and "against" or "Against") .. " other works and methods " .. counts(others) .. "." end
+  out[#out + 1] = html.tag("a", {href = "reading.html#what-the-words-mean"}, "What these words mean") .. "."
   return html.tag("p", {class = "tally"}, table.concat(out, " "))
 end
 
