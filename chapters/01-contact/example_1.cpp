@@ -28,7 +28,8 @@ $$a^2=\frac{\delta\,\mathrm{D}}{\alpha\,\mathrm{K}},\qquad b^2=\frac{\delta\,\ma
 The function `unit_contact` evaluates these formulas for an approach and a modulus of one; all other
 contacts follow by scaling. Its `flat` and `sharp` are the smaller and the larger of $\alpha$ and
 $\beta$. It first finds the shape for which the first two formulas have the given ratio of
-curvatures, as $\ln(b/a)^2$: a slender contact would lose its digits in $1-(b/a)^2$.
+curvatures. Its unknown is $\ln(b/a)^2$, because a slender contact would lose its digits in
+$1-(b/a)^2$.
 
 {{code: contact/hertz.cpp unit_contact}}
 
@@ -40,22 +41,23 @@ rows.
 {{table-2}}
 
 The method agrees with Hertz to {{accuracy-range}} in the worst of the four quantities when mesh and
-tread are varied. The paper says that patch and pressure are ellipsoidal, without a number. Here
-each cell's pressure is within {{off-ellipsoid}} of the peak of Hertz's.
+tread are varied. The paper says that patch and pressure are ellipsoidal, without a number. Here no
+cell's pressure differs from Hertz's by more than {{off-ellipsoid}} of the peak.
 
 ### Does the region only shrink?
 
-The paper's Figure 7 is to show the mesh shrinking from the interpenetration curve to the contact,
-with "rapid convergence of the solution". Here each step more than halves the error of the force;
-after four steps it is below the error that the mesh leaves.
+The paper's Figure 7 shows, by its caption, the mesh shrinking from the interpenetration curve to
+the contact, with "rapid convergence of the solution". Here each step more than halves the error of
+the force; after four steps it is below the error that the mesh leaves.
 
 {{fig-07}}
 
 "The new candidate contact boundary will be inside the old one", says the paper. This is what
 happens on every mesh until the candidate comes within {{outward-margin}} of the true boundary. But
 a mesh locates the edge to about a per cent, so the boundary can come to lie inside the true one; if
-the moves are free, outward ones of up to {{outward}} of the half width then bring it back. On each
-mesh the outermost of these starts at {{outward-from}} of Hertz's ellipse.
+the moves are free, outward ones of up to {{outward}} of the half width then bring it back. The
+outermost of them starts, depending on the mesh, at {{outward-from}} times the distance of Hertz's
+ellipse.
 
 ::: {.fold summary="Each mesh, and where its boundary moves outward"}
 
@@ -63,9 +65,9 @@ mesh the outermost of these starts at {{outward-from}} of Hertz's ellipse.
 
 :::
 
-As a rule of the program, the sentence costs little. If the boundary may only move inward, the
-iteration converges as well, to a contact {{inward-short}} shorter than Hertz's, against
-{{free-short}} with free moves; the force is the same to {{inward-force}}.
+Made a rule of the program, this costs little. If the boundary may only move inward, the iteration
+converges as well, to a contact {{inward-short}} shorter than Hertz's, against {{free-short}} with
+free moves; the force is the same to {{inward-force}}.
 
 The paper's run took 5.7 s on an IBM 370/168 and cost $2.83 with compilation.
 
@@ -365,9 +367,9 @@ void fig_06(report::Item& item) {
 
 const report::Section example_1{
     report::figure("fig-06",
-                   "Wheel and rail touch where all radii are uniform. Section across the rail, "
-                   "heights enlarged. "
-                   "The bodies of Example 1, in the place of Fig. 6 of the paper.",
+                   "Wheel and rail touch where all radii are uniform. The hollow tread (dashed) "
+                   "nearly fits the crown (solid). Section across the rail, heights enlarged. The "
+                   "bodies of Example 1, in the place of Fig. 6 of the paper.",
                    fig_06),
     report::table(
         "table-2",
@@ -377,9 +379,9 @@ const report::Section example_1{
         "against the first. Table 2 of the paper.",
         table_2),
     report::figure("fig-07",
-                   "After three steps the boundary is at Hertz's ellipse. Boundary of the region "
-                   "in the first four "
-                   "steps of Example 1, and the last mesh; in the place of Fig. 7 of the paper.",
+                   "After three steps the boundary is at Hertz's ellipse. Boundaries of the region "
+                   "(stepped, because the columns are); boxes are the cells of the fourth. Half of "
+                   "the region, Example 1; in the place of Fig. 7 of the paper.",
                    fig_07),
     report::table(
         "moves",

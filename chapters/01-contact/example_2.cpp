@@ -8,8 +8,8 @@ $$f(x,y)=\frac{x^2}{2}\left(\frac{1}{R_r(x)}-\frac{1}{R_t}\right)+\frac{y^2}{2R_
 {{fig-08}}
 
 The contact is long on the flat side and short on the sharp one: {{x-left}} against {{x-right}}.
-Equal columns over the whole diameter put one or two of nine on the short side, where the pressure
-is highest. The iteration then cannot find the end, and says so.
+Nine equal columns over the whole diameter put one or two on the short side, where the pressure is
+highest. The iteration then cannot find the end of the contact there, and says so.
 
 The paper's footnote has the remedy: two column widths on each side of the origin, the finer near
 the edges. An edge of the mesh then lies on the jump itself, where the slope of the pressure is
@@ -28,11 +28,11 @@ the fast Fourier transform. The last column of the table has a coned wheel, whos
 {{example-2}}
 
 COUNTACT-1 and the grid of {{grid-2}} cells agree to {{methods-agree}}, and the grid states an error
-of {{grid-error}} in $F$. The difference to print is larger: {{off-f}} in $F$ and {{off-m}} in $M_y$
-with a tread of 12.34 in. It belongs to the tread, a damaged number, and to the paper's mesh: a
-tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the printed moment. Our
-text does not say that the tread is hollow. A coned wheel would be the natural guess, but its force
-is {{cone-off}} too low.
+of {{grid-error}} in $F$. The difference from the print is larger: {{off-f}} in $F$ and {{off-m}} in
+$M_y$ with a tread of 12.34 in. It comes from the tread, a damaged number, and from the paper's
+mesh: a tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the printed
+moment. Our text does not say that the tread is hollow. A coned wheel would be the natural guess,
+but its force is {{cone-off}} too low.
 
 CG-FFT needs no mesh that follows the region. Its function `solve_bounded_cg` holds the region as the
 set of cells with pressure. It iterates inside that set and drops cells that pull. When the
@@ -44,16 +44,16 @@ iteration is done it takes in the cells outside that still overlap, and it ends 
 
 {{fig-09}}
 
-The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
-ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
+The figure shows the pressure along the axis of symmetry. If the crown went on to the right, it
+would be Hertz's ellipse. The corner falls away from the wheel and carries less, so the pressure
 beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
 jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. The [figure at the head of the page](#live-contact)
-rolls the wheel across the rail, from the crown, where the contact is an ellipse, over the jump into
-the corner, and plays COUNTACT's iteration; the library computes each answer.
+of COUNTACT-1 next to the jump differs from the grid. The [figure at the head of the
+page](#live-contact) rolls the wheel across the rail, from the crown, where the contact is an
+ellipse, over the jump into the corner, and plays COUNTACT's iteration; the library computes each
+answer.
 
-{{scene}} shows the pressure in space: columns as high as the pressure on one half, their mesh on
-the other, and the interpenetration curve around.
+{{scene}} shows the same pressure in space.
 
 {{scene}}
 
@@ -196,11 +196,12 @@ void in_space(report::Item& item) {
 }  // namespace
 
 const report::Section example_2{
-    report::figure("fig-08",
-                   "The wheel stands on the jump of the rail's radius. Section across the rail, "
-                   "heights enlarged. The "
-                   "bodies of Example 2, in the place of Fig. 8 of the paper.",
-                   fig_08),
+    report::figure(
+        "fig-08",
+        "The wheel stands on the jump of the rail's radius. The tread (dashed) follows the crown "
+        "(solid) on the left and leaves the corner on the right. Section across the rail, heights "
+        "enlarged. The bodies of Example 2, in the place of Fig. 8 of the paper.",
+        fig_08),
     report::table("example-2",
                   "Two methods agree on force, moment and peak. Example 2 at an approach of 0.005 "
                   "in, with the "
@@ -221,8 +222,8 @@ const report::Section example_2{
                    fig_10),
     report::figure("scene",
                    "The pressure stands like a wave against the jump. Columns as high as the "
-                   "pressure over one half "
-                   "of the contact, its mesh on the other half. Example 2, computed.",
+                   "pressure over one half of the contact, its mesh on the other half; around it "
+                   "the interpenetration curve. Example 2, computed.",
                    in_space)};
 
 }  // namespace railbook::contact_chapter

@@ -26,8 +26,8 @@ and the radius $\rho_c$ of the contact, approach, force and pressure are
 
 $$\delta=\frac{\rho_cT(\rho_c)}{R_e},\qquad F=E^*\left(\rho_c\delta+\frac{S(\rho_c)^3}{3R_e}\right),\qquad p(\rho)=\frac{E^*}{\pi R_e}\int_{\max(\rho,\rho_0)}^{\rho_c}\frac{S(t)+T(t)}{\sqrt{t^2-\rho^2}}\,dt.$$
 
-All terms are positive, so no digits cancel between the sphere ($\rho_0=0$) and the nearly sharp
-punch ($R_e\to0$).
+All terms are positive, so no digits cancel for any edge, from the sphere ($\rho_0=0$) to the nearly
+sharp punch ($R_e\to0$).
 
 {{fig-14}}
 

@@ -1,4 +1,4 @@
-# alt: Pressures of the last three cells of a column and two parabolas on their sides through them, which reach zero at nearly the same place, outside the last cell.
+# alt: Pressures of the last three cells of a column and two parabolas on their sides. The one through two cells falls to zero at the old boundary, outside the last cell; the one through three turns back at the last cell and reaches zero far inside.
 load "style.gp"
 set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

@@ -1,9 +1,9 @@
 /*** # Contact stress: how hard does a wheel press where the rail's radius jumps?
 
 A loaded wheel stands on a patch of steel the size of a coin, and the pressure in that patch decides
-whether the rail yields, wears or cracks. Hertz gave it in 1882 for surfaces that are quadratic over
-the patch. But the radius of a rail head jumps from 10 in on its top, the *crown*, to 1¼ in at the
-corner, and the running surface of a wheel, its *tread*, often stands on the jump, where Hertz's
+whether the rail yields, wears or cracks. Hertz found it in 1882 for surfaces that are quadratic
+over the patch. But the radius of a rail head jumps from 10 in on its top, the *crown*, to 1¼ in at
+the corner, and the running surface of a wheel, its *tread*, often stands on the jump, where Hertz's
 formulas do not hold.
 
 ::: {#live-contact .live figure=contact}
@@ -13,23 +13,21 @@ formulas do not hold.
 :::
 
 ::: findings
-1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the
-   undeformed bodies would cut each other if they were moved together as far as the load brings them
-   (the *approach*). It says that
-   "The true contact region lies entirely inside the interpenetration curve". We prove it in one
-   line, and it is true in all four examples; in the first, the curve reaches {{overlap}} as far as
-   the contact. {{outcome:fig-01/inside}}
+1. Where does the contact lie? The paper searches from the *interpenetration curve*, along which the
+   surfaces would cut each other if the bodies moved through each other, undeformed, as far as the
+   load brings them together (the *approach*). It says that "The true contact region lies entirely
+   inside the interpenetration curve". We prove it in one line, and it is true in all four examples;
+   in the first, the curve reaches {{overlap}} as far as the contact. {{outcome:fig-01/inside}}
 2. What does a wheel carry on the jump of the radius? For an approach of 0.005 in the paper prints a
    force of 34 072 lbf and a moment about the jump of −5365 in·lbf. We find {{grid-force}}
-   ({{off-f}}) and
-   {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our text of the paper,
-   is 12.34 in; the printed numbers themselves ask for {{force-tread}} and {{moment-tread}}.
-   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
-3. Does the region only shrink while it is sought? "The new candidate contact boundary will be
-   inside the old one", says the paper. This is true on every mesh that we tried until the region
-   comes within {{outward-margin}} of the contact. A program that forbids outward moves ends with a
-   contact that is {{inward-short}} too short, against {{free-short}} without the rule, if the
-   boundary is fitted in our way. {{outcome:moves/inside}}
+   ({{off-f}}) and {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our
+   text of the paper, is 12.34 in; exactly the printed numbers follow from {{force-tread}} and
+   {{moment-tread}}. {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
+3. The contact region is found step by step. Does it only shrink on the way? "The new candidate
+   contact boundary will be inside the old one", says the paper. This is true on every mesh that we
+   tried until the region comes within {{outward-margin}} of the contact. A program that forbids
+   outward moves ends with a contact that is {{inward-short}} too short, with our way of finding the
+   boundary, against {{free-short}} without the rule. {{outcome:moves/inside}}
 :::
 
 ## The paper
@@ -43,7 +41,9 @@ region.
 This page rebuilds the program, recomputes the paper's table and figures, and compares them with
 Hertz, with a closed form for a punch with a rounded edge, and with a second method on a uniform
 grid. We have the paper as machine-read text: its words and numbers, some of them misread, and of
-the drawings only scraps of their lettering.
+the drawings only scraps of their lettering. Units are the paper's: inches, pounds of force (lbf)
+and psi (lbf/in²). Tables and figures with a plain number, as Table 2, are the paper's; those of
+this page are numbered 1.1 and so on.
 
 {{include: method.cpp}}
 

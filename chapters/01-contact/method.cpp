@@ -2,8 +2,8 @@
 
 The drawing at the head of this page shows the axes. The two bodies touch at the point O; $x$ runs
 across the rail, along the axis of the wheel, $y$ runs along the rail, and $z_1$, $z_2$ run from O
-into the two bodies. The gap $f$ between the undeformed surfaces is the sum of what they fall away
-from the plane $xy$:
+into the two bodies. The gap $f$ between the undeformed surfaces is the sum of their distances from
+the plane $xy$:
 
 $$f(x,y)=z_1(x,y)+z_2(x,y) \tag{1}$$
 
@@ -20,17 +20,17 @@ point (Boussinesq):
 
 $$w_i=\frac{1-\nu_i^2}{\pi E_i}\int_\Omega\frac{p\,dA}{r} \tag{5}$$
 
-$E_i$ is Young's modulus of body $i$ and $\nu_i$ its Poisson's ratio. Bodies do not pull, so
-$p\ge0$ (6). Inside the region, (2), (3) and (5) together say that
+$E_i$ is Young's modulus of body $i$ and $\nu_i$ its Poisson's ratio. Bodies do not pull at each
+other, so $p\ge0$ (6). Inside the region, (2), (3) and (5) together say that
 
 $$k\int_\Omega\frac{p\,dA}{r}=\delta-f, \tag{8}$$
 
 $$k=\frac{1-\nu_1^2}{\pi E_1}+\frac{1-\nu_2^2}{\pi E_2}=\frac{1}{\pi E^*}. \tag{9}$$
 
-The number $k$ is the compliance of the pair, and $E^*$ its effective modulus. All is known in (8)
-except the pressure $p$ and the region $\Omega$, and the region is the trouble: the equation is
-linear only once the region is known. The force $F$ and the moments $M_x$ and $M_y$ about the two
-axes follow from the pressure:
+The number $k$ is the compliance of the pair, and $E^*$ its effective modulus. Unknown in (8) are
+the pressure $p$ and the region $\Omega$. The region is the difficulty: once it is known, the
+equation is linear in $p$. The force $F$ and the moments $M_x$ and $M_y$ about the two axes follow
+from the pressure:
 
 $$F=\int_\Omega p\,dA,\qquad M_x=-\int_\Omega yp\,dA,\qquad M_y=\int_\Omega xp\,dA \tag{7}$$
 
@@ -75,9 +75,10 @@ region's size, or with a reason why it cannot go on.
 
 {{code: method/countact.cpp iterate}}
 
-Three things in it are ours. `Damping` shortens the moves once the boundary begins to swing. A
-region that grows tenfold is called diverged. A boundary that has come to rest is tested afterwards:
-outside it the bodies must not overlap, and inside it enough cells must have seen the pressure fall.
+Three things in it are ours. `Damping` shortens the moves once the boundary begins to swing. If a
+region grows tenfold, the loop ends as diverged. A boundary that has come to rest is tested
+afterwards: outside it the bodies must not overlap, and inside it the pressure must fall towards the
+edge over several cells.
 
 ### Step 3: the pressures on one mesh
 
@@ -101,8 +102,8 @@ unknown.
 {{code: method/countact.cpp solve_pressures}}
 
 For $b_{ij}$ the paper finds "certain approximations" convenient. Here it is the exact integral over
-a rectangle: the sum, with alternating signs, of `corner_function` at its four corners. With the
-inverse hyperbolic sine no digits are lost for slender cells.
+a rectangle, which is the sum, with alternating signs, of `corner_function` at its four corners.
+Written with the inverse hyperbolic sine the function loses no digits for slender cells.
 
 {{code: contact/influence.cpp corner_function}}
 
@@ -125,7 +126,7 @@ regularization (smoothing that is added to tame an unstable equation) is needed.
 ### Step 4: where the pressure falls to zero
 
 The candidate region is too large, so near its edge the equations give cells that pull, with $p<0$.
-There the true pressure ends, and the zero is interpolated:
+The pressure must end before them, and the place where it is zero is interpolated:
 
 {{fig-03}}
 
@@ -133,18 +134,18 @@ A cell that pulls, says the paper, lies outside the true contact. This is true o
 Example 1 that we tried: the closest of {{pulling}} such cells on nine columns lies
 {{pulling-nearest}} outside Hertz's ellipse, and the closest on finer meshes {{pulling-finer}}.
 
-When all cells of a column push, the pressure is continued outward to its zero. The pressure of a
-smooth contact falls like the root of the distance from its edge, so the parabola lies on its side:
-$y=q_0+q_2p^2$ through the last two points, or $y=q_0+q_1p+q_2p^2$ through the last three, with
-constants $q_0$, $q_1$, $q_2$ that the points fix.
+When all cells of a column push, the pressure is continued outward to its zero. Near the edge of a
+smooth contact the pressure falls like the root of the distance from the edge, so it is continued by
+a parabola that lies on its side: $y=q_0+q_2p^2$ through the last two points, or $y=q_0+q_1p+q_2p^2$
+through the last three, with constants $q_0$, $q_1$, $q_2$ that the points fix.
 
 {{fig-04}}
 
-The paper asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a
-report that we do not have; the parabolas are ours. The method depends on this half sentence. On
-{{fit-meshes}} columns of Example 1 the iteration diverges with three points and without the
-condition. With it the iteration converges, to the force that two points give. Two points are used
-from here on.
+The paper asks that the fit make $p$ a one-valued function of $y$: the parabola must not turn back
+before it reaches zero. The details are in a report that we do not have, so the parabolas are ours.
+The method depends on this half sentence. On {{fit-meshes}} columns of Example 1 the iteration
+diverges with three points and without the condition. With it the iteration converges, to the force
+that two points give. Two points are used from here on.
 
 The function `find_zero` takes the positions of the cells along a column, outward from the axis,
 and their pressures. It counts the leading cells that push. If a cell that pulls follows, the zero
@@ -428,25 +429,24 @@ const report::Section method{
         "The equations (14) are well posed. Condition number of the matrix on the last mesh of "
         "Example 1, for finer and finer meshes.",
         conditioning),
-    report::figure(
-        "fig-02",
-        "The region shrinks in one step of the loop. Boxes are the cells of the first candidate "
-        "region, triangles the zeros of pressure found on its columns and on the axis (A and "
-        "B), circles the heights of the next columns. First step of Example 1, after Fig. 2 "
-        "of the paper.",
-        fig_02),
+    report::figure("fig-02",
+                   "The region shrinks in one step of the loop. One half of the region: boxes are "
+                   "the cells of the first candidate region, triangles the zeros of pressure found "
+                   "on its columns and on the axis (A and B), circles the heights of the next "
+                   "columns. First step of Example 1, after Fig. 2 of the paper.",
+                   fig_02),
     report::figure(
         "fig-03",
         "Where cells pull, the new boundary is the zero between the last cell that pushes and the "
         "first that pulls. Pressure against the distance from the axis, in the middle column of "
         "the first step of Example 1; after Fig. 3 of the paper.",
         fig_03),
-    report::figure(
-        "fig-04",
-        "Where all cells push, a parabola on its side continues the pressure to zero. Pressure "
-        "against the distance from the axis, in the middle column of the last step of Example "
-        "1, with both parabolas; after Fig. 4 of the paper.",
-        fig_04),
+    report::figure("fig-04",
+                   "Where all cells push, a parabola on its side continues the pressure to zero. "
+                   "Pressure against the distance from the axis, in the middle column of the last "
+                   "step of Example 1. The parabola through three points turns back on its way to "
+                   "zero, which the paper forbids; after Fig. 4 of the paper.",
+                   fig_04),
     report::table(
         "fig-05",
         "The routines of COUNTACT and the functions that do their work here. After Fig. 5 of the "

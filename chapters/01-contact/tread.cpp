@@ -5,15 +5,16 @@
 The first two of Hertz's formulas in Example 1 give both curvatures back from the printed $a$, $b$
 and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The
 wheel comes out at {{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}.
-It is the sensitive number, because its curvature nearly cancels that of the crown:
-{{tread-per-percent}} more of it moves $a$ by a whole per cent.
+It is the sensitive number, because its curvature nearly cancels that of the crown: a tread
+{{tread-per-percent}} larger changes $a$ by a whole per cent.
 
 {{code: tread.cpp shape_of}}
 
-Each printed number that depends on the tread asks for one of its own. The force and the moment of
-Example 2 are computed without a mesh of columns. COUNTACT's column of Table 2 depends on rows and
-moves of the boundary that the paper does not print. So eight meshes of 7 to 11 columns and 7 to 17
-rows compete, once with free and once with inward moves only, and the closest is shown:
+For each printed number that depends on the tread there is a tread that gives it exactly. The force
+and the moment of Example 2 are computed without a mesh of columns. COUNTACT's column of Table 2
+depends on rows and moves of the boundary that the paper does not print. So eight meshes of 7 to 11
+columns and 7 to 17 rows are tried, with free moves and with inward moves only, and the closest
+result is shown:
 
 {{treads}}
 

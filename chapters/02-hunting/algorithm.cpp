@@ -29,7 +29,7 @@ exact derivative, row 18 is the phase, and row 19 is the condition that was pick
 
 ### Where the paper's search fails
 
-{{fig-loop}} runs the paper's search on new wheels, in steps of 0.01 in of amplitude, each started
+{{fig-loop}} shows the paper's search on new wheels, in steps of 0.01 in of amplitude, each started
 from the last result. At {{loop-lost}} it stops converging. The trucks have modes in nearly equal
 pairs, and the least damped one is in turn that of the front truck, of the rear truck and of both.
 From {{loop-found}} on it converges again, but on the *other* family: {{loop-front}} at the front,
@@ -150,11 +150,12 @@ void loop_claims(report::Item& item) {
 }  // namespace
 
 const report::Section algorithm{
-    report::figure(
-        "fig-loop",
-        "The paper's search loses the first family where the flange is met. Points are the cycles "
-        "that it finds on new wheels; lines are the branches followed by continuation",
-        fig_loop),
+    report::figure("fig-loop",
+                   "The paper's search loses the first family where the flange is met. Points are "
+                   "the cycles that it finds on new wheels, step by step of amplitude, with each "
+                   "of the two choices of mode; crosses at the right are amplitudes at which it "
+                   "does not converge. Lines are the branches followed by continuation.",
+                   fig_loop),
     report::table("loop-claims",
                   "The search converges at most amplitudes, and not always to the cycle wanted. "
                   "What the text says of it, tried on new wheels",

@@ -14,9 +14,9 @@ equations, solid where *every* small disturbance dies out; how it is found comes
 
 {{fig-11}}
 
-The [figure at the head of the page](#live-hunting) draws both for any speed. From {{torus-speed}} on a
-pair of multipliers (the factors by which small disturbances grow, see below) lies outside the unit
-circle, and the cycle itself shows nothing of that.
+The [figure at the head of the page](#live-hunting) draws both for any speed, with the
+*multipliers*: the factors by which small disturbances of the cycle grow. From {{torus-speed}} on a
+pair of them lies outside the unit circle, although nothing changes in the cycle itself.
 
 With new wheels the branch of the describing functions runs far to the right once the flange is met,
 at {{flange-new}}. {{stability-range}} shows how much of it is stable by the full equations, and on
@@ -43,8 +43,9 @@ truck, but by the full equations over {{friction-window}} only. At 0.02 in the j
 sticking rates and the car moves as one body. From 0.05 in on warp and centre plates slide, and the
 car is a system of separate elements.
 
-The lateral friction is not overcome there. To carry the body along at 0.4 in and {{slip-omega}}
-takes about {{slip-needed}}, and the four side frames hold {{slip-held}}.
+The lateral friction of the side frames is not overcome even by the largest of these motions. To
+carry the body along at 0.4 in and {{slip-omega}} takes about {{slip-needed}}, and the four side
+frames hold {{slip-held}}.
 
 :::
 
@@ -370,11 +371,13 @@ void flange_frequency(report::Item& item) {
 }  // namespace
 
 const report::Section branches{
-    report::figure("fig-11",
-                   "Stable hunting with flange contact covers a short stretch of speeds. Largest "
-                   "amplitude of any wheelset on each limit cycle against speed, a panel a car; "
-                   "the paper's Figure 11 with profiles and dampers of ours",
-                   fig_11),
+    report::figure(
+        "fig-11",
+        "Stable hunting with flange contact covers a short stretch of speeds. Largest amplitude of "
+        "any wheelset on each limit cycle against speed, a panel a car. Thick blue lines are the "
+        "full equations, thin orange ones the describing functions; solid is stable. The paper's "
+        "Figure 11 with profiles and dampers of ours.",
+        fig_11),
     report::table("claims",
                   "Amplitudes and speeds behave as the text says. Each statement as it was tried, "
                   "with our profiles, dampers and friction",

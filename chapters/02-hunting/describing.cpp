@@ -35,9 +35,9 @@ one *conicity*; which of the other two is its Figure 8 is not legible.
 :::
 
 The paper says that the functions decrease once the contact has passed the steepest part of the
-flange. With our flanges $N_D$ does so, and $N_R$ and $N_\Phi$ go on rising with the radius. Which
-way the paper's went depends on the height and the tip of its flanges, which are lost, so this is
-not tested.
+flange. With our flanges $N_D$ does so. $N_R$ and $N_\Phi$ fall clearly with the Heumann wheel only;
+with the other two $N_R$ levels off and $N_\Phi$ rises to the end. Which way the paper's went
+depends on the height and the tip of its flanges, which are lost, so this is not tested.
 
 ::: {.fold summary="What the text says of the describing functions, and what was found"}
 
@@ -166,18 +166,19 @@ void describing_claims(report::Item& item) {
 }  // namespace
 
 const report::Section describing{
-    report::figure("fig-07",
-                   "The gain of R, the conicity, is small and constant until the flange is met. "
-                   "$N_R$ against amplitude; the paper's Figure 7 with profiles of ours",
-                   [](report::Item& item) { curves(item, R); }),
+    report::figure(
+        "fig-07",
+        "The gain of R, the conicity, is nearly constant until the flange is met, and then rises. "
+        "$N_R$ against amplitude; the paper's Figure 7 with profiles of ours.",
+        [](report::Item& item) { curves(item, R); }),
     report::figure("fig-08",
                    "The gain of the contact angles is largest on the flange and falls beyond. "
-                   "$N_D$ against amplitude; the paper's Figure 8 with profiles of ours",
+                   "$N_D$ against amplitude; the paper's Figure 8 with profiles of ours.",
                    [](report::Item& item) { curves(item, D); }),
     report::figure(
         "fig-09",
         "The gain of the roll is about the same for new and CN wheels before the flange. $N_\\Phi$ "
-        "against amplitude; the paper's Figure 9 with profiles of ours",
+        "against amplitude; the paper's Figure 9 with profiles of ours.",
         [](report::Item& item) { curves(item, Phi); }),
     report::table("describing-claims",
                   "The describing functions do what the text says of them. Values at a small "

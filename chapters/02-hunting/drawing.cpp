@@ -162,7 +162,7 @@ const report::Section drawings{report::figure(
     "The shape of its wheels makes a car hunt. Top: a wheelset (two wheels on one axle) that is "
     "off the middle rolls on two radii and steers back across the track, again and again. Middle: "
     "the car from above with its nine coordinates; wheels black, side frames orange, body blue. "
-    "Bottom: the two kinds of hunting, computed for small motions of our car",
+    "Bottom: the two kinds of hunting, computed for small motions of our car.",
     drawing)};
 
 }  // namespace railbook::hunting_chapter

@@ -86,7 +86,7 @@ functions jump. The equations of motion take them as tables with a value every 0
 by a running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is
 shown in {{stability-range}}.
 
-**Flange contact** is a word that the paper does not define. Here it begins where the left wheel
+**Flange contact** is a term that the paper does not define. Here it begins where the left wheel
 leaves its tread for the arc between tread and flange, less half the width of the running mean: at
 {{flange-new}} with new wheels, {{flange-cn}} with CN and {{flange-heumann}} with Heumann wheels.
 For the new wheel this is the jump to the flange, at {{jump-new}}. The two worn profiles have a
@@ -226,18 +226,19 @@ void geometry_claims(report::Item& item) {
 const report::Section geometry{
     report::figure("fig-03",
                    "A new wheel changes its rolling radius at once where the flange is met. Top: "
-                   "rolling radii, contact angles, R and roll against displacement over a; bottom: "
-                   "wheel and rail to scale. The paper's Figure 3 with profiles of ours",
+                   "rolling radii, contact angles with D, and R with the roll angle, against "
+                   "displacement over a. Bottom: the left wheel, lifted, and its rail, to scale. "
+                   "The paper's Figure 3 with profiles of ours.",
                    [](report::Item& item) { constraints(item, fresh); }),
     report::figure(
         "fig-04",
         "A hollow CN wheel steers three times as strongly and comes to its flange in two steps. "
-        "Drawn as the figure before, on a new rail; the paper's Figure 4 with profiles of ours",
+        "Drawn as the figure before, on a new rail; the paper's Figure 4 with profiles of ours.",
         [](report::Item& item) { constraints(item, cn); }),
     report::figure(
         "fig-05",
         "A modified Heumann wheel steers most strongly and meets its flange first. Drawn as the "
-        "figures before, on a worn rail; the paper's Figure 5 with profiles of ours",
+        "figures before, on a worn rail; the paper's Figure 5 with profiles of ours.",
         [](report::Item& item) { constraints(item, heumann); }),
     report::table(
         "geometry-claims",

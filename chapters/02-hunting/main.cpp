@@ -2,10 +2,10 @@
 # From which speed does a freight car hunt, and how far does it swing?
 
 Above some speed a freight car no longer runs straight: its wheels weave between the rails and
-strike them with their flanges although the track is perfect, which wears wheel and rail and can
-derail the car. Linear theory gives the speed at which small motions begin to grow. R. Hull and N.
-K. Cooperrider asked in 1976 how far such a motion, called *hunting*, then goes, and how both
-depend on the shapes of wheel and rail.
+strike them with their flanges (the rims that keep them on the rails) although the track is perfect.
+This wears wheel and rail and can derail the car. Linear theory gives the speed at which small
+motions begin to grow. R. Hull and N. K. Cooperrider asked in 1976 how far such a motion, called
+*hunting*, then goes, and how both depend on the shapes of wheel and rail.
 
 ::: {#live-hunting .live figure=hunting}
 
@@ -22,13 +22,13 @@ depend on the shapes of wheel and rail.
    ({{outcome:dampers/much-lower-cn}}). The CN profile is lost; ours steers three times as strongly
    as the new wheel, as printed.
 2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit
-   cycle, a periodic motion to which others settle, "extends to a high velocity". By its own method
-   of describing functions it does. By the full equations with the paper's linear law of contact
-   forces it becomes unstable between {{torus-range}}, depending on the dampers and on how we smooth
-   the jump from tread to flange; without smoothing, and with some dampers, it is not stable at all. When
-   friction limits the contact forces (coefficients of 0.2 to 0.4), stable hunting begins at
-   {{creep-begins}} already, below the speed at which small motions grow. Profiles, dampers and
-   friction are ours.
+   cycle, a periodic motion to which others settle, "extends to a high velocity". By its own method,
+   which puts a gain in the place of each nonlinear function, it does. By the full equations with
+   the paper's linear law of contact forces it becomes unstable between {{torus-range}}, depending
+   on the dampers and on how we smooth the jump of the contact from the wheel's running surface to
+   its flange; without smoothing, and with some dampers, it is not stable at all. When friction
+   limits the contact forces (coefficients of 0.2 to 0.4), stable hunting begins at {{creep-begins}}
+   already, below the speed at which small motions grow. Profiles, dampers and friction are ours.
 3. **Are the creep coefficients Kalker's full values, as the paper says?** These coefficients give
    the contact forces of a wheel that slips a little. The printed ones are {{creep-range}} those
    computed by Kalker's theory ({{outcome:creep-coefficients/full-kalker}}), for all shapes and
@@ -46,8 +46,8 @@ stable.
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
 wheel and rail and part of its table of data are lost or illegible. We rebuilt profiles that fit
 what the text says of them. What is shown with these profiles and with dampers of our own counts as
-*consistent* with the paper at most; *confirmed* is only what any straight cone entails, or the
-printed conicity with all dampers that fit.
+*consistent* with the paper at most. We say *confirmed* only of what follows from any straight cone,
+or from the printed conicity with all dampers that fit.
 
 {{include: geometry.cpp}}
 

@@ -241,7 +241,8 @@ const report::Section mode_shapes{
     report::figure("fig-12",
                    "The shape of the motion is constant on the tread and changes where the flange "
                    "is met. Amplitudes over that of the rear truck, and frequency, for new wheels "
-                   "by describing functions; the paper's Figure 12 with profiles of ours",
+                   "by describing functions: left the family of the first critical speed, right "
+                   "that of the second. The paper's Figure 12 with profiles of ours.",
                    fig_12),
     report::table("mode-claims",
                   "The shapes of the motion are those that the text describes. Each statement as "

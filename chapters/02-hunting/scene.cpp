@@ -121,10 +121,10 @@ void scene_hunting(report::Item& item) {
 
 }  // namespace
 
-const report::Section scenes{
-    report::figure("scene-hunting",
-                   "Both trucks and the body swing to the same side. The car with new wheels on "
-                   "its limit cycle at 150 ft/s, its motions enlarged",
-                   scene_hunting)};
+const report::Section scenes{report::figure(
+    "scene-hunting",
+    "Both trucks and the body swing to the same side. The car with new wheels on its limit cycle "
+    "at 150 ft/s, its motions enlarged; the red line is the middle of the track.",
+    scene_hunting)};
 
 }  // namespace railbook::hunting_chapter

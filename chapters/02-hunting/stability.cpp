@@ -36,20 +36,21 @@ this cycle is stable. Their amplitude is right within {{df-error-new}} for the n
 ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s.
 
 **What they cannot say** is how far that goes. With new wheels the paper's rule calls the cycles
-stable to {{fold-quasi-new}}. The equations' branch turns at {{fold-new}}, and from {{torus-speed}}
-on its cycles are unstable by a torus. What grows is the motion in which the trucks oppose each
-other, the one of the second critical speed: front and rear truck then take turns. That the two
+stable to {{fold-quasi-new}}. The equations' branch turns at {{fold-new}}, and at {{torus-speed}} a
+torus bifurcation makes its cycles unstable. What grows is the motion in which the trucks oppose
+each other, the one of the second critical speed: front and rear truck then take turns. That the two
 speeds are near each other is chance; with other dampers they part. With CN wheels the two folds are
 near one another, {{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}.
 
-**What the speed at which stability ends depends on.** With new wheels the whole branch from the
-critical speed to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange
-at {{jump-new}} has been made a ramp by the running mean over {{mean}}. The narrower the mean, the
-earlier stability ends, and with a narrow one it is symmetry that is lost. Without a mean no
-cycle of this branch with flange contact is stable.
+**On what the end of stability depends.** With new wheels the whole branch from the critical speed
+to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange at
+{{jump-new}} has been made a ramp by the running mean over {{mean}}. The narrower the mean, the
+earlier stability ends, and with a narrow one in another way: the two halves of a period cease to
+mirror each other (symmetry breaking). Without a mean no cycle of this branch with flange contact is
+stable.
 
-It also depends on the dampers, and with some that give 145 ft/s and 12 rad/s as well there is none
-either. All that is known is a range: where there are stable cycles, stability ends between
+It also depends on the dampers: with some of those that give 145 ft/s and 12 rad/s no such cycle is
+stable either. All that is known is a range: where there are stable cycles, stability ends between
 {{torus-range}}, with linear creep.
 
 ::: {.fold summary="Where stability ends, by running mean and dampers"}
@@ -66,8 +67,8 @@ near the flange grow at lower speeds than small ones. With friction coefficients
 are stable cycles on the flange from {{creep-begins}} on.
 
 At 130 ft/s a car that is displaced by 0.05 in comes to rest, and one displaced by 0.43 in goes on
-hunting. At 160 ft/s, where the car with linear creep leaves the end of its tables beyond the
-flange's top, it may still hunt on the flange ({{creep-limited}}).
+hunting. At 160 ft/s, where with linear creep a wheelset climbs over the top of its flange and
+leaves our tables, it may still hunt on the flange ({{creep-limited}}).
 
 {{creep-limited}}
 

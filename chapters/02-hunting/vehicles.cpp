@@ -15,17 +15,17 @@ $g_i$ the forces that unit values of $R$, $D$ and $\Phi$ exert there. The row $s
 of joint $j$, whose friction has the gain $N_j$. The gains depend on the amplitudes $A_i=|b_iq|$ of
 the four wheelsets and, with friction, on the rates of the seven joints.
 
-A solution of (10) is a limit cycle of the quasi-linear car: a motion with which the amplitudes that
-make the gains, and the gains that make the motion, agree.
+The paper calls this car quasi-linear. A solution of (10) is a limit cycle of it: the amplitudes of
+the motion make the gains, and with these gains the car moves with these amplitudes.
 
 **Four cars.** As in the paper there are new, CN and Heumann wheels with linear dampers, and CN
 wheels with dry friction. A *branch*, a curve of limit cycles in the plane of speed and amplitude,
-begins at each critical speed; its cycles are called a *family*. With ideal
-friction there is none, because joints that stick make (12) infinite; the friction below the rates
-$\varepsilon$ (0.005 ft/s in translation, 0.0005 rad/s in rotation) is viscous, and the critical
-speeds of that car, which depend on these rates alone, serve as a start. They begin two families,
-one of the rear truck alone and one of both trucks. The figures have the second, because the paper
-says that without flange contact both trucks have about the same amplitude.
+begins at each critical speed; its cycles are called a *family*. With ideal friction there is none,
+because joints that stick make (12) infinite; the friction below the rates $\varepsilon$ (0.005 ft/s
+in translation, 0.0005 rad/s in rotation) is viscous, and the critical speeds of that car, which
+depend on these rates alone, serve as a start. From them two families begin, one of the rear truck
+alone and one of both trucks. The figures have the second, because the paper says that without
+flange contact both trucks have about the same amplitude.
 
 {{fold}}
 */

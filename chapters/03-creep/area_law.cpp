@@ -30,13 +30,13 @@ by {{rise-moderate}}; with one three times as flat it rises by {{rise-worst}}, a
 program CONTACT agrees {{outcome:table-law/contact}}. Most of the rise is the initial slope: the
 ratio of the computed coefficients $C_{11}$ alone gives {{rise-slope}}.
 
-**Could the rig have seen it?** At the creep that Appendix B prints, {{rise-worst}} is {{rise-seen}},
-less than the 0.0005 to which a reading is accurate. At 80 % of a largest friction of 0.5 the creep
-is {{creep-80}}, and the rise is {{rise-80}}, or {{rise-80-grown}} on the grown area; both are more
-than 0.0005. And a test has many readings. By the reduction of the section before, with the stated
-errors, the product of one test has a standard deviation of {{product-scatter}}. So a pair of tests,
-new and worn, shows {{rise-worst}} at {{sigmas-worst}} standard deviations and {{rise-moderate}} at
-{{sigmas-moderate}}.
+**Could the rig have seen it?** At the creep that Appendix B prints, {{rise-worst}} is
+{{rise-seen}}, less than the 0.0005 to which a reading is accurate. At 80 % of a largest friction of
+0.5 the creep is {{creep-80}}, and the rise is {{rise-80}}, or {{rise-80-grown}} for the worn wheel,
+whose larger area creeps less; both are more than 0.0005. And a test has many readings. By the
+reduction of the section before, with the stated errors, the product of one test has a standard
+deviation of {{product-scatter}}. So a pair of tests, new and worn, shows {{rise-worst}} at
+{{sigmas-worst}} standard deviations and {{rise-moderate}} at {{sigmas-moderate}}.
 
 The larger rise could have been seen in a few pairs of tests, the smaller not
 {{outcome:table-law/visible}}. The paper changed its wheels when the ellipse lost its ratio of axes,
@@ -203,10 +203,9 @@ const report::Section creep_chapter::area_law{
                   "the rig against the new wheel, for three fractions of the friction, by the full "
                   "theory; last by the initial slope alone",
                   law),
-    report::figure(
-        "fig-law",
-        "A contact that grows across only creeps more than the law says. Creep over that "
-        "of the new wheel, at constant load and force, against the area over that of the "
-        "new wheel; grey is the paper's law. The paper refers to another report for its "
-        "check",
-        law_figure)};
+    report::figure("fig-law",
+                   "A contact that grows only across rolling creeps more than the law says. Left: "
+                   "creep over that of the new wheel, at constant load and force, against the area "
+                   "over that of the new wheel; right: by how much the product of both rises. Grey "
+                   "is the paper's law; the paper refers to another report for its check.",
+                   law_figure)};

@@ -14,9 +14,8 @@ assumed:
   deviations.
 
 The line through the points stands for the paper's average curve: the theory's, fitted with the
-largest friction and the area free. In the paper the two loads are the independent variables and the
-creep is the dependent one; the fit here takes the creep as given and minimises the distances in the
-friction.
+largest friction and the area free. The paper takes both forces as given and the creep as measured;
+our fit takes the creep as given and minimises the distances in the friction.
 
 {{fig-03}}
 
@@ -432,33 +431,31 @@ creep_chapter::ReductionError creep_chapter::reduction_error() {
 }
 
 const report::Section creep_chapter::experiment{
-    report::figure("fig-03",
-                   "At each load the friction rises with the creep and levels off, but the curves "
-                   "differ. Four "
-                   "panels: synthetic points with one standard deviation of their errors, and the "
-                   "average curves "
-                   "fitted to them; last: these curves together. In place of the paper's Figures 3 "
-                   "to 7, whose "
-                   "points are lost",
-                   each_load),
+    report::figure(
+        "fig-03",
+        "At each load the friction rises with the creep and levels off, but the curves differ. "
+        "Friction coefficient against creep. Four panels: synthetic points with one standard "
+        "deviation of their errors, and the average curves fitted to them; last: these curves "
+        "together. In place of the paper's Figures 3 to 7, whose points are lost.",
+        each_load),
     report::figure("fig-08",
-                   "At constant creep the friction falls with the load. Lines: the theory at one "
-                   "wear; points: the synthetic tests, each with its own. In place of the paper's "
-                   "Figure 8",
+                   "At constant creep the friction falls with the load. Lines: the theory, all "
+                   "loads with the same wear. Points: the synthetic tests, each with its own wear, "
+                   "which can hide the fall. In place of the paper's Figure 8.",
                    constant_creep),
     report::figure(
         "fig-09",
-        "Worn wheels have larger contacts than Hertz says. Left: Hertz's area of smooth new "
-        "wheels against the load, for both directions of the longer axis. Right: synthetic "
-        "areas of four tests, with their ratio to Hertz's. In place of the paper's Figures "
-        "9 and 10",
+        "The area grows with the load, and in our four tests by wear as well. Left: Hertz's area "
+        "of smooth new wheels against the load, for both directions of the longer axis. Right: the "
+        "areas that we chose for the four synthetic tests, as measured, with their ratio to "
+        "Hertz's. In place of the paper's Figures 9 and 10.",
         areas),
-    report::figure(
-        "fig-11",
-        "With the measured area the four tests fall on one curve, with Hertz's they do not. "
-        "Fraction of the friction limit against X, synthetic points at four loads; lines by "
-        "the full theory and by Vermeulen and Johnson. In place of the paper's Figure 11",
-        dimensionless),
+    report::figure("fig-11",
+                   "With the measured area the four tests fall on one curve, with Hertz's they do "
+                   "not. Fraction of the friction limit against X, synthetic points at four loads; "
+                   "lines by the full theory and by Vermeulen and Johnson. Left: reduced with "
+                   "Hertz's area, right: with the measured one. In place of the paper's Figure 11.",
+                   dimensionless),
     report::table("table-collapse",
                   "A test's creep curve gives its contact area to a few per cent. Area and largest "
                   "friction of the four synthetic tests: put in, measured and found from the curve",

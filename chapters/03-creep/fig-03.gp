@@ -13,7 +13,7 @@ set tmargin at screen 0.88
 do for [k=1:5] {
   set lmargin at screen 0.065+0.185*(k-1)
   set rmargin at screen 0.065+0.185*(k-1)+0.165
-  if (k > 1) { set format y ""; unset ylabel } else { set ylabel "µ = T/N" }
+  if (k == 1) { set ylabel "µ" offset 1.5,0 } else { set format y ""; unset ylabel }
   load_lbf = k < 5 ? word("500 1000 1500 2500", k) : "all"
   set label 1 (k < 5 ? load_lbf." lbf" : "all four") at graph 0.05, 0.93
   if (k == 1) { set label 2 "synthetic points, not the paper's" at graph 0.02, 1.09 tc rgb "#BE5400" } else { unset label 2 }

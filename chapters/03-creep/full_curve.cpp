@@ -1,12 +1,12 @@
 /***
 ## The curve that the full theory gives
 
-The paper compares its measurements with Kalker's theory. Two half-spaces of equal stiffness touch over
-an ellipse with Hertz's pressure $p_n$; equal stiffness leaves the pressure untouched by friction.
-Rolling by one metre slides them over each other by the creepages, $\xi$ along and $\eta$ across, and
-turns them by the spin $\varphi$. The surfaces yield by the displacement $w$, and the material streams
-through the contact against $x$. So the slip $s$ per metre and the traction $p$, both vectors in the
-plane, obey
+The paper compares its measurements with Kalker's theory. Two half-spaces of equal stiffness touch
+over an ellipse with Hertz's pressure $p_n$; equal stiffness leaves the pressure untouched by
+friction. While they roll one metre, the creepages slide them over each other, by $\xi$ along and by
+$\eta$ across, and the spin turns them by $\varphi$. The surfaces yield by the displacement $w$, and
+the material streams through the contact against $x$. So the slip $s$ per metre and the traction
+$p$, both vectors in the plane, obey
 
 $$s=\begin{pmatrix}\xi-\varphi y\\ \eta+\varphi x\end{pmatrix}+\frac{\partial w}{\partial x},\qquad
   |p|\le\mu_c\,p_n,\qquad s=0\quad\text{or}\quad p=\mu_c\,p_n\frac{s}{|s|}.$$
@@ -55,24 +55,24 @@ ends placed, the same cells have {{error-placed}}. On grids of up to some 60 cel
 about as $h^2$, on finer ones more slowly, as the [second page](03-creep-study.html) measures.
 
 The [figure at the head of the page](#live-creep) computes this curve for the rig's ellipse at the
-load of Appendix B and a largest friction of 0.3, with any lateral creepage and spin. What slides
-begins at the trailing edge, and spin moves it to one side.
+load of Appendix B and a largest friction of 0.3, with any lateral creepage and spin. Sliding begins
+at the trailing edge, and spin moves the area that slides to one side.
 
 ::: {.fold summary="The curve in numbers, against two other programs"}
 
 {{table-full-curve}}
 
-Cells of one length in all rows, multiplied by Fourier transforms, differ nowhere by more than
-{{grids-apart}}. An independent program with the theory of CONTACT, on square grids and extrapolated,
-states an accuracy of 0.0005 and prints four digits; it differs by {{program-apart}} at most, just
-more than it states. In full slip $f$ stays a little below 1: the lateral strain turns the slip out
-of the rolling direction, by an angle that falls as $1/X$.
+A second grid, with cells of one length in all rows and products by Fourier transforms, differs
+nowhere by more than {{grids-apart}}. An independent program with the theory of CONTACT, on square
+grids and extrapolated, states an accuracy of 0.0005 and prints four digits; it differs by
+{{program-apart}} at most, just more than it states. In full slip $f$ stays a little below 1: the
+lateral strain turns the slip out of the rolling direction, by an angle that falls as $1/X$.
 
 :::
 
 Two simpler theories are drawn beside it. Vermeulen and Johnson's curve, $f=1-(1-kX/3)^3$, has a
-slope $k$ that is {{vj-excess}} above Kalker's $C_{11}$ for this ellipse. FASTSIM, Kalker's simplified
-theory, has the right slope and comes closer to full slip too slowly.
+slope $k$ that is {{vj-excess}} above Kalker's $C_{11}$ for this ellipse. FASTSIM, Kalker's
+simplified theory, has the right slope and approaches full slip too slowly.
 
 {{fold}}
 */
@@ -220,16 +220,14 @@ void figure(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::full_theory{
-    report::figure(
-        "fig-full-curve",
-        "One curve gives the friction, and twelve cells along are enough for it. Left: the "
-        "fraction f "
-        "of the friction limit against X by the full theory, an independent program and two "
-        "simpler "
-        "theories, for the rig's ratio of axes. Right: the mean error of f on coarser grids, with "
-        "the ends of the rows placed or just filled. The paper's Figure 11 has the curve without "
-        "numbers",
-        figure),
+    report::figure("fig-full-curve",
+                   "One curve gives the friction, and twelve cells along are enough for it. Left: "
+                   "the fraction f of the friction limit against X by the full theory, an "
+                   "independent program and two simpler theories, for the rig's ratio of axes. "
+                   "Right: the mean error of f on coarser grids, where the cells just fill the "
+                   "rows and where their ends are placed as below; with placed ends twelve cells "
+                   "err by less than 0.001. The paper's Figure 11 has the curve without numbers.",
+                   figure),
     report::table("table-full-curve",
                   "The curve is known to better than 0.001. Fraction f of the friction limit for "
                   "a/b = 1.568 and Poisson's ratio 0.3, by two grids and an independent program",

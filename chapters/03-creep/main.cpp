@@ -1,9 +1,10 @@
 /*** # Creep: one curve of friction for every load and every worn wheel?
 
 A locomotive pulls and brakes through patches of steel that a fingertip would cover, and the force
-that such a patch passes on depends on how much the rim of the wheel is faster or slower than pure
-rolling. Measured curves of this force differ from load to load and from wheel to wheel. Unless some
-law brings them together, a test on a small wheel in a laboratory says nothing about a locomotive.
+that such a patch passes on depends on its *creep*: how much faster or slower the rim of the wheel
+is than in pure rolling. Measured curves of this force differ from load to load and from wheel to
+wheel. Unless some law brings them together, a test on a small wheel in a laboratory says nothing
+about a locomotive.
 
 ::: {#live-creep .live figure=creep}
 
@@ -15,35 +16,35 @@ law brings them together, a test on a small wheel in a laboratory says nothing a
 1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve
    it is necessary to utilize the actual nominal area of contact rather than the theoretical area of
    contact". Its measured points are lost to us, so we cannot test this. The one reading that it
-   prints agrees with the statement but is no evidence for it. Within the rounding of its speeds it
-   needs at least {{least-along}} times the area of smooth new wheels if the longer axis of the
-   contact ellipse lies along rolling, and {{least-across}} times if it lies across. The paper does
-   not say which. The errors of its Appendix A leave as much open. With the longer axis along rolling
-   they need {{least-independent}} times that area if they are independent, and {{least-worst}} times
-   at worst.
-   {{outcome:table-state/true-area}}
+   prints agrees with the statement but is no evidence for it. Its speeds are rounded, and within
+   the rounding it needs an area of at least {{least-along}} times that of smooth new wheels if the
+   longer axis of the contact ellipse lies along rolling, and {{least-across}} times if it lies
+   across; the paper does not say which. The errors that its Appendix A states leave as much open:
+   {{least-independent}} times along rolling if they are independent, {{least-worst}} times at
+   worst. {{outcome:table-state/true-area}}
 2. **Does a larger contact creep less, in proportion?** The paper, for tests in which the ellipse
    keeps its ratio of axes: "the product of the creep and the area of contact must be a constant".
-   In Kalker's theory this is exact while the ratio is kept. If wear flattens only the profile of
-   the wheel, the ratio changes and the product rises: by {{rise-moderate}} while the area grows by
-   {{area-moderate}}, and by {{rise-worst}} at three times the profile radius. With the errors that
-   the paper states, the larger rise would have shown on the rig in a few pairs of tests.
-   {{outcome:table-law/constant}} {{outcome:table-law/visible}}
+   In Kalker's theory of rolling contact this is exact while the ratio is kept. If wear flattens
+   only the profile of the wheel, the ratio changes and the product rises: by {{rise-moderate}}
+   while the area grows by {{area-moderate}}, and by {{rise-worst}} at three times the profile
+   radius. With the errors that the paper states, the larger rise would have shown on the rig in a
+   few pairs of tests. {{outcome:table-law/constant}} {{outcome:table-law/visible}}
 3. **How accurate is a measured creep?** "Accurate to 0.0005", says the paper, and calls this an
-   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so
-   the figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii
-   measured to 0.0254 mm as the paper says and whatever else is rounded or read otherwise. The
-   printed sum lets the errors cancel.
+   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so the
+   figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii measured
+   to 0.0254 mm, as the paper says, and the other numbers varied within their rounding and their
+   possible readings. In the printed sum the errors partly cancel.
    {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::
 
 ## The idea
 
-C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth let a small wheel, for the locomotive's, run on
-a big one, for the rail, and brake it. They measured friction against creep at four loads, and brought
-all curves onto one with the help of Kalker's theory of rolling contact. We have the paper as
-machine-read text, without its drawings. The measured points stand in the drawings, so our figures with
-points are rebuilt from the theory and say so.
+C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth let a small wheel, for the locomotive's,
+run on a big one, for the rail, and brake it. They measured friction against creep at four loads,
+and brought all curves onto one with the help of Kalker's theory of rolling contact. We have the
+paper as machine-read text, without its drawings. The measured points stand in the drawings, so our
+figures with points are rebuilt from the theory and say so. Tables and figures with a plain number
+are the paper's; those of this page are numbered 3.1 and so on.
 
 **Creep.** A driven wheel turns slightly faster, and a braked one slightly slower, than free rolling
 would need. The difference of the two rim speeds over the speed of rolling is the creep, or
@@ -84,9 +85,9 @@ these three lines in code, for creep, lateral creepage and spin:
 {{code: rolling/case.cpp reduced_creepage}}
 
 For small creep nothing slides, and the theory gives $f=C_{11}X$ with Kalker's coefficient $C_{11}$.
-So $X$ says how close the force would come to the limit if nothing slid. The paper's point is in the
-product $ab$: wear and plastic flow enlarge the contact, and "the theoretical area of contact" of
-smooth new wheels, which is Hertz's, puts a test at the wrong $X$.
+So $X$ says how close the force would come to the limit if nothing slid. The paper's point is the
+product $ab$: wear and plastic flow enlarge the contact, so that "the theoretical area of contact"
+of smooth new wheels, which is Hertz's, would put a test at the wrong $X$.
 
 {{include: rig.cpp}}
 

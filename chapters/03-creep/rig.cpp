@@ -28,11 +28,12 @@ rolling. A locomotive wheel of 40 in on a rail with a 10-in crown has it there, 
 
 **Pressures.** No modulus is printed; used here are Young's modulus 207 GPa and $\nu$ = 0.3. The
 paper wants the contact stresses to be "similar to those of the locomotive and rail". The same
-locomotive wheel under 30 000 lb has a largest pressure of {{locomotive-peak}}, and the publisher's
-summary, which our copy lacks, has stresses up to about 200 ksi. The rig's largest pressure at the
-4449.72 N of Appendix B is {{peak-along}} with the longer axis along rolling and {{peak-across}} with
-it across, which is similar either way {{outcome:table-ellipse/stresses}}. On the rig a largest
-pressure of 200 ksi takes {{load-200-along}} along and {{load-200-across}} across.
+locomotive wheel under 30 000 lb has a largest pressure of {{locomotive-peak}} (1 ksi is 6.895 MPa),
+and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's
+largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the longer axis along rolling
+and {{peak-across}} with it across, which is similar either way {{outcome:table-ellipse/stresses}}.
+On the rig a largest pressure of 200 ksi takes {{load-200-along}} along and {{load-200-across}}
+across.
 
 {{fold}}
 */
@@ -152,23 +153,19 @@ void ellipse(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::rig{
-    report::figure(
-        "fig-01",
-        "A braked wheel's contact sticks at its leading edge and slides at its trailing edge. "
-        "Left: "
-        "the small wheel under the load N on the big one, which drives it; the friction force T "
-        "acts at the contact. Right: that contact from above, with its semi-axes a and b, and "
-        "below "
-        "it the traction along its middle, which grows from the edge where material enters until "
-        "it meets the limit. By the full theory of this page; the paper's Figure 1 shows the rig",
-        scheme),
-    report::figure(
-        "fig-02",
-        "A turned wheel puts a part of the friction force into the axial direction. The small "
-        "wheel "
-        "from above, on the rim of the big one. The axes are those that the paper names; its "
-        "Figure 2 is lost",
-        axes),
+    report::figure("fig-01",
+                   "A braked wheel's contact sticks at its leading edge and slides at its trailing "
+                   "edge. Left: the small wheel under the load N on the big one, which drives it; "
+                   "the friction force T acts at the contact. Right: that contact from above, with "
+                   "its semi-axes a and b, and below it the traction along its middle, which grows "
+                   "from the edge where material enters until it meets the limit. By the full "
+                   "theory of this page; the paper's Figure 1 shows the rig.",
+                   scheme),
+    report::figure("fig-02",
+                   "A turned wheel puts a part of the friction force into the axial direction. The "
+                   "small wheel from above, on the rim of the big one. The axes are those that the "
+                   "paper names; its Figure 2 is lost.",
+                   axes),
     report::table(
         "table-ellipse",
         "The direction of the longer axis changes the area by half. The contact of smooth "

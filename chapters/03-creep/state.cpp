@@ -157,8 +157,8 @@ const report::Section creep_chapter::state{
                   needed_area),
     report::figure(
         "fig-state",
-        "The printed reading does not decide between Hertz's area and a larger one. The "
-        "area that it needs, over Hertz's, against the largest friction that is assumed; "
-        "lines as printed, bands for the rounding of the two speeds. From the numbers of "
-        "Appendix B",
+        "The printed reading does not decide between Hertz's area and a larger one. The area that "
+        "it needs, over Hertz's, against the largest friction that is assumed; lines as printed, "
+        "bands for the rounding of the two speeds; the band of the longer axis across reaches "
+        "below 1, which is Hertz's area. From the numbers of Appendix B.",
         reading)};

@@ -1,7 +1,4 @@
 /***
-The scene unites the paper's Figures 4, 10, 11 and 14, which are lost in our copy: it shows the
-sensors of gage, crosslevel, profile and alignment where the words put them.
-
 {{fold}}
 */
 #include <vector>
@@ -97,9 +94,9 @@ void fig_layout(report::Item& item) {
 
 const report::Section scene_of_car{report::figure(
     "fig-layout",
-    "Where the sensors sit. The car travels towards the beam, at the right; the third "
-    "sway sensor, at the rear truck, is outside the picture. Sizes are chosen and the "
-    "sensors enlarged; the paper's Figures 4, 10, 11 and 14 in one.",
+    "Where the sensors sit. The car travels towards the beam, at the right; the third sway sensor, "
+    "at the rear truck, is outside the picture. Sizes are chosen and the sensors enlarged; this "
+    "stands for the paper's Figures 4, 10, 11 and 14, from its words.",
     fig_layout)};
 
 }  // namespace railbook::filters_chapter

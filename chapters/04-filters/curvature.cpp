@@ -29,8 +29,9 @@ still without the correction for the trucks. {{outcome:table-curvature/trucks}}
 
 A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2
 mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make
-{{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a minute of
-it the noise is larger than what is left of the bias. {{outcome:table-curvature/debias}}
+{{curvature-2}}. This is why the operator *debiases* the gyro: what it reads while the car stands is
+subtracted from then on. After a minute of this the noise is larger than what is left of the bias.
+{{outcome:table-curvature/debias}}
 
 {{fold}}
 */
@@ -134,16 +135,17 @@ void table_curvature(report::Item& item) {
 }  // namespace
 
 const report::Section curvature{
-    report::figure("fig-curve",
-                   "A curve is seen alike at 9 and at 80 mph. Curvature and crosslevel through a "
-                   "curve of 4 degrees with spirals of 300 ft and 4 in of superelevation, grey the "
-                   "truth, and below each the errors. Typical sensors on our track.",
-                   fig_curve),
-    report::table(
-        "table-curvature",
-        "A bias of the gyro counts at low speed, and debiasing removes most of it. RMS error "
-        "of the curvature in degrees per 100 ft, with a perfect gyro, and what bias and "
-        "noise of a typical one add before and after debiasing. The sensors are ours.",
-        table_curvature)};
+    report::figure(
+        "fig-curve",
+        "A curve is seen alike at 9 and at 80 mph. Curvature and crosslevel through a curve of 4 "
+        "degrees, whose outer rail lies 4 in higher and which begins and ends with spirals of 300 "
+        "ft; grey the truth, and below each the errors. Typical sensors on our track.",
+        fig_curve),
+    report::table("table-curvature",
+                  "A bias of the gyro counts at low speed, and debiasing (to subtract what it "
+                  "reads at rest) removes most of it. RMS error of the curvature in degrees per "
+                  "100 ft, with a perfect gyro, and what bias and noise of a typical one add "
+                  "before and after debiasing. The sensors are ours.",
+                  table_curvature)};
 
 }  // namespace railbook::filters_chapter

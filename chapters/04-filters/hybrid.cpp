@@ -78,15 +78,16 @@ with it, and that of the hybrid one stays.
 Profile and alignment start from accelerations, which have to be integrated twice. For these the
 paper has an analog filter $F$ and a digital one $G$ of second order. Let $\omega_2$ be the corner
 of $F$ in rad/s, $\zeta$ its damping as a fraction of the critical one, $\sigma=\zeta\omega_2$ the
-rate at which it forgets, and $q(t)$ its response to an impulse. Such a filter holds two numbers, so
-that three samples are needed to remove its memory. For any two poles and any two intervals
+rate at which it forgets, and $q(t)$ its response to an impulse. Such a filter has two poles, that
+is two rates of decay, and holds two numbers, so that three samples are needed to remove its memory.
+For any two poles and any two intervals
 
 $$w_k=y_{k+1}-\frac{q(T_k+T_{k+1})}{q(T_k)}y_k+e^{-2\sigma T_k}\frac{q(T_{k+1})}{q(T_k)}y_{k-1}$$
 
-contains nothing older than two feet. Divided by the weight of a constant in it, it is a weighted
-mean of the input over two intervals. For a low corner the weight is a triangle, and the triangle's
-mean of an acceleration is the second difference of the path: the offset from the middle of a chord
-of two samples. For two equal real poles at constant speed, $|FG|=|BC|^2$.
+contains nothing older than two feet. Divided by its value for a constant input of one, it is a
+weighted mean of the input over two intervals. For a low corner the weight is a triangle, and the
+triangle's mean of an acceleration is the second difference of the path: the offset from the middle
+of a chord of two samples. For two equal real poles at constant speed, $|FG|=|BC|^2$.
 
 {{fold}}
 */

@@ -20,8 +20,8 @@ record at 9 mph, another at 80 mph, and a third when the car comes back the othe
 2. What can still be measured when the car crawls? The paper claims that only gage, the distance of
    the rails, and crosslevel, the height of one over the other, remain accurate down to 0 mph. On
    our model this is so: at 0.5 mph the errors of all other measurements are {{slow-growth}} those
-   from 15 mph on, or more. Track, car and sensors are ours, and the constant error of the gyro for
-   yaw is measured at rest and taken off. {{outcome:table-claims/only-two}}
+   from 15 mph on, or more. Track, car and sensors are ours, and the constant error of the sensor of
+   turning (the yaw gyro) is measured at rest and taken off. {{outcome:table-claims/only-two}}
 3. Track is judged by how far it lies from the middle of a chord of 62 ft. Can that be had from
    accelerometers, and for chords of any other length? Yes, and exactly: they give offsets from a
    chord of 2 ft, and the offset from one of 62 ft is a sum of {{chord-taps}} of them with whole

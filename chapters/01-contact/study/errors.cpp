@@ -189,14 +189,16 @@ void digits(report::Item& item) {
 }  // namespace
 
 const report::Section errors{
-    report::figure("estimates-force",
-                   "The true error of the force is almost always below the stated one. Each point "
-                   "is a contact drawn at random.",
-                   [](report::Item& item) { estimates(item, random_contacts(item).force); }),
-    report::figure("estimates-peak",
-                   "The true error of the peak is almost always below the stated one. Each point "
-                   "is a contact drawn at random.",
-                   [](report::Item& item) { estimates(item, random_contacts(item).peak); }),
+    report::figure(
+        "estimates-force",
+        "The true error of the force is almost always below the stated one. Each point is a "
+        "contact drawn at random; below the diagonal the stated error is the larger.",
+        [](report::Item& item) { estimates(item, random_contacts(item).force); }),
+    report::figure(
+        "estimates-peak",
+        "The true error of the peak is almost always below the stated one. Each point is a contact "
+        "drawn at random; below the diagonal the stated error is the larger.",
+        [](report::Item& item) { estimates(item, random_contacts(item).peak); }),
     report::table("digits",
                   "The closed forms hold all but one or two of their digits. Largest difference "
                   "from extended precision.",

@@ -2,6 +2,9 @@
 
 ## Error against run time: which method?
 
+The best method stands at the lower left of a panel; the sentence above it names the fastest one for
+three errors.
+
 {{include: cost.cpp}}
 
 {{include: errors.cpp}}

@@ -236,16 +236,16 @@ void df_time(report::Item& item) {
 const report::Section cost{
     report::figure("cycle-time",
                    "A stable cycle is found fastest by integrating in time. Error of the amplitude "
-                   "of the new wheel's cycle at 150 ft/s against run time",
+                   "of the new wheel's cycle at 150 ft/s against run time.",
                    cycle_time),
     report::figure(
         "multiplier-time",
         "The variational equation gives more digits of the multipliers than Hill's determinant. "
-        "Error of the largest pair, new wheel at 150 ft/s, against run time",
+        "Error of the largest pair, new wheel at 150 ft/s, against run time.",
         multiplier_time),
     report::figure("df-time",
                    "Newton's method is far cheaper than the paper's loops. Error of the speed of "
-                   "one cycle of the describing functions against run time",
+                   "one cycle of the describing functions against run time.",
                    df_time)};
 
 }  // namespace railbook::hunting_chapter

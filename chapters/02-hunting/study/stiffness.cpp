@@ -165,8 +165,9 @@ void stiff(report::Item& item) {
 
 const report::Section stiffness{report::figure(
     "stiffness",
-    "A slow car, or one that sticks, needs the implicit method. Cost at an error of 1e-4 against "
-    "speed, with linear creep, and against the rate below which friction sticks",
+    "A slow car, or one that sticks, needs the implicit method. Left of the dotted lines the "
+    "implicit method takes less time than the explicit one. Cost at an error of 1e-4 against "
+    "speed, with linear creep, and against the rate below which friction sticks.",
     stiff)};
 
 }  // namespace railbook::hunting_chapter

@@ -1,11 +1,11 @@
 /***
-Which theory gives a creep force to one per cent, or to a tenth of that, in the least time, and what does
-it cost to set up? For an ellipse that sticks and slides there is no closed form, only the limit of ever
-finer grids. Points are grey where the reference is not at
-least 100 times as accurate. Closed formulas and FASTSIM have the names of the command's option `--theory`. All panels of the
-chapter have the same axes. Times are those of the whole set of cases, with what the method must set up.
-Only tables are made beforehand, as the codes that use them do, and what that costs is given below each
-panel.
+Which theory gives a creep force to one per cent, or to a tenth of that, in the least time, and what
+does it cost to set up? For an ellipse that sticks and slides there is no closed form, only the
+limit of ever finer grids. The best method stands at the lower left of a panel. Points are grey
+where the reference is not at least 100 times as accurate. Closed formulas and FASTSIM have the
+names of the command's option `--theory`. All panels of the chapter have the same axes. Times are
+those of the whole set of cases, with what the method must set up. Only tables are made beforehand,
+as the codes that use them do, and what that costs is given below each panel.
 
 **What the reference shares with what it judges.** It is made by this library: the same formula for
 the displacements and the same law of slip, on other meshes, by another solver and without the
@@ -395,30 +395,27 @@ void spin_cells(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::cost{
-    report::figure(
-        "curve-time",
-        "The full theory gives the curve to a thousandth in milliseconds. Mean error of the "
-        "fraction of the friction limit over six creeps against run time, by all theories "
-        "that the tool offers",
-        curve_time),
+    report::figure("curve-time",
+                   "A table of the full theory gives the curve to a thousandth at the cost of a "
+                   "formula. Mean error of the fraction of the friction limit over six creeps "
+                   "against run time, by all theories that the tool offers.",
+                   curve_time),
     report::figure(
         "spin-fx",
-        "With spin, only the full theory and tables made from it are better than one per "
-        "cent. Mean error of the longitudinal force over six cases against run time",
+        "With spin, only the full theory and tables made from it are better than one per cent. "
+        "Mean error of the longitudinal force over six cases against run time.",
         spin<0>),
-    report::figure(
-        "spin-fy",
-        "Spin makes a lateral force that laws without it miss. Mean error of the lateral "
-        "force over six cases against run time",
-        spin<1>),
-    report::figure(
-        "spin-mz",
-        "The moment about the normal is the hardest to get. Mean error of the moment over "
-        "six cases against run time",
-        spin<2>),
+    report::figure("spin-fy",
+                   "Spin makes a lateral force that laws without it miss. Mean error of the "
+                   "lateral force over six cases against run time.",
+                   spin<1>),
+    report::figure("spin-mz",
+                   "The moment about the normal is the hardest to get. Mean error of the moment "
+                   "over six cases against run time.",
+                   spin<2>),
     report::figure(
         "spin-cells",
-        "Large spin on a slender contact converges last. Distance of the full theory's "
-        "forces from their limits on grids of cells, nothing extrapolated, case by case; "
-        "grey points are not known well enough to be judged",
+        "Large spin on a slender contact converges last. Distance of the full theory's forces from "
+        "their limits on grids of cells, nothing extrapolated, case by case; grey points are not "
+        "known well enough to be judged. The last to converge are a/b = 3 and Φ = 1.5.",
         spin_cells)};

@@ -350,8 +350,8 @@ const report::Section creep_chapter::extremes{
                   "steps of the full "
                   "theory, both solutions, on the finest grid, for five creepages",
                   cases),
-    report::figure(
-        "estimates",
-        "The stated errors are almost always larger than the true ones. True over stated "
-        "error of the full theory, random cases in the order of their ratio",
-        estimates)};
+    report::figure("estimates",
+                   "The stated errors are almost always larger than the true ones. True against "
+                   "stated error of the full theory, a point a random case; below the diagonal the "
+                   "stated error is the larger.",
+                   estimates)};
