@@ -412,7 +412,8 @@ const report::Section classes{
     report::figure(
         "fig-11",
         "Rough track has deep joints. Each zone by its dip B and roughness A, with the limits of "
-        "the classes by (10); on the dashed line both parts weigh the same (Fig. 11).",
+        "the classes by (10): a zone has the class of the first curve above it. On the dashed line "
+        "roughness and joints contribute the same to the offset (Fig. 11).",
         fig_11)};
 
 }  // namespace railbook::psd_chapter

@@ -214,13 +214,13 @@ void fig_09(report::Item& item) {
 }  // namespace
 
 const report::Section extraction{
-    report::figure("fig-08",
-                   "Narrow peaks leave the two lines alone, broad ones lift them. Six zones: "
-                   "spectrum of synthetic track and fitted lines, both divided by the printed "
-                   "random part, so that the printed lines lie at 1; arrows mark the printed "
-                   "corner, circles the printed peak (Fig. 8; our panels (c) and (d) have no "
-                   "ballast memory).",
-                   fig_08),
+    report::figure(
+        "fig-08",
+        "Narrow peaks (a, f) leave the two fitted lines alone, broad ones (b to e) lift them. Six "
+        "zones: spectrum of synthetic track and fitted lines, both divided by the printed random "
+        "part, so that the printed lines lie at 1; arrows mark the printed corner, circles the "
+        "printed peak (Fig. 8; our panels (c) and (d) have no ballast memory).",
+        fig_08),
     report::figure("fig-09",
                    "Height times width at half height replaces the area of the peak. Zone 7 near "
                    "its line; the box has the area β C₁ (Fig. 9).",

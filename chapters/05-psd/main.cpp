@@ -15,16 +15,18 @@ is rough, or whether its joints have sunk.
 1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its
    spectrum at $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of the joints
    from the power of this peak. Its formula has an amplitude that belongs to a *two-sided* spectrum,
-   one that counts negative wavenumbers too. Its equation (8) requires a *one-sided* spectrum. If
-   its spectra are one-sided, the same dip makes four times the power, and every $B$ in Table 1 is
-   twice the physical dip. {{outcome:lines/Q1-exact}}
+   in which half of the power stands at negative wavenumbers. Its equation (8), for the offset of a
+   chord, requires a *one-sided* spectrum. If its spectra are one-sided, a dip makes four times the
+   power that the formula says, and every $B$ in Table 1 is twice the physical dip.
+   {{outcome:lines/Q1-exact}}
 2. Does the paper's rule (10) give the classes of its Table 3? The rule compares an offset, computed
    from the roughness and the dip of a stretch of track (a *zone*), with the limit of each class. We
-   take the coefficient $k$ of the roughness from (8) and (9), and the limits from the federal
-   standards. Then {{table-3-steady}} of 13 zones have the printed class, however the printed
-   numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient itself cannot
-   be read in our copy. The classes do not determine it either: every value from {{k-most-low}} to
-   {{k-most-high}} gives at least twelve of the thirteen. {{outcome:table-3/zone-12}}
+   take the coefficient $k$ of the roughness from the paper's (8) and (9), and the limits from the
+   federal standards. Then {{table-3-steady}} of 13 zones have the printed class, however the
+   printed numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient itself
+   cannot be read in our copy. The classes do not determine it either: every value from
+   {{k-most-low}} to {{k-most-high}} gives at least twelve of the thirteen.
+   {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
    says that "the PSD cannot distinguish" them (the PSD is the spectrum). On five miles of its
    jointed zones it hardly can, when depths scatter by half of their mean. At $\varphi_0$ the two
@@ -48,7 +50,8 @@ This page follows the paper: first the three parts of a spectrum, then how the t
 read from it, what a chord makes of them, and the class. We have the paper as machine-read text,
 without its drawings and without its measured spectra. Synthetic track, made with the printed
 numbers, stands for the measured track, and each figure is drawn from what the text and the captions
-say of it.
+say of it. Tables and figures with a plain number are the paper's; those of this page are numbered
+5.1 and so on.
 
 {{include: processes.cpp}}
 

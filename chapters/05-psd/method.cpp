@@ -212,11 +212,11 @@ void overview(report::Item& item) {
 const report::Section method{
     report::figure("overview",
                    "Three numbers describe a stretch of track. Top left: rails that sag at their "
-                   "joints, and the chord that inspectors stretch. Bottom left: a record of such a "
-                   "rail, in which the joints hardly show. Right: its spectrum, in which they "
-                   "stand out as peaks above two straight lines. Roughness and corner say where "
-                   "the lines lie, the dip how large the peaks are. Drawn with the numbers of the "
-                   "paper's zone 7.",
+                   "joints, and the chord above which inspectors measure them. Bottom left: a "
+                   "record of such a rail, in which the joints hardly show. Right: its spectrum, "
+                   "in which they stand out as peaks above two straight lines. Roughness A and "
+                   "corner φ_c say where the lines lie, the dip B of the joints how large the "
+                   "peaks are. Drawn with the numbers of one stretch of track, the paper's zone 7.",
                    overview),
     report::table("worked",
                   "Zone 7 is class 5, from the print and from a record. Each row is a step from "

@@ -406,12 +406,13 @@ const report::Section modulated{
                   "their spectra in standard errors, by the distance from the line; the first two "
                   "columns check the formula against counted records.",
                   table_five_miles),
-    report::figure("fig-04",
-                   "Uneven joints broaden a line, old rail adds one or two. Spectra near the "
-                   "rail's line: (a) joints that are uneven at random or in groups, (b) the wave "
-                   "of old rail added, (c) joints that are deepest over old ones; segments of 4096 "
-                   "ft (Fig. 4; dips of 10 mm).",
-                   fig_04),
+    report::figure(
+        "fig-04",
+        "Uneven joints broaden a line, old rail adds one or two. Spectra near the rail's line: (a) "
+        "joints that are uneven at random or in groups, which lifts the foot of the line, (b) the "
+        "wave of old rail added, which gives one more line, (c) joints that are deepest over old "
+        "ones, which gives two; segments of 4096 ft (Fig. 4; dips of 10 mm).",
+        fig_04),
     report::figure(
         "fig-06",
         "Old rail adds a wave to the new rail or varies the depth of its joints. Letters as in the "

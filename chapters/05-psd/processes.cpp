@@ -267,11 +267,12 @@ const report::Section processes{
                   "The printed powers of the lines are a quarter of the exact ones. Lines 1 to 3 "
                   "of the rectified sine by (1) and (2), and in a one-sided spectrum.",
                   lines),
-    report::figure("fig-02",
-                   "The analysis gives a line its height and width. (a) Lines without width; (b) "
-                   "the window's own spectrum, of area 1, for two lengths of segment; (c) the "
-                   "lines as the window shows them (Fig. 2; dips of 10 mm).",
-                   fig_02),
+    report::figure(
+        "fig-02",
+        "The analysis gives a line its height and width. (a) Lines without width; (b) the window's "
+        "own spectrum, of area 1, for two lengths of segment; (c) the lines as both windows show "
+        "them, narrower and higher by the longer one (Fig. 2; dips of 10 mm).",
+        fig_02),
     report::figure("fig-03",
                    "One segment gives a ragged spectrum, five miles a readable one. Spectra of "
                    "synthetic track of zone 4, against the model (4); triangles are averages over "

@@ -17,15 +17,16 @@ is spent where no vehicle notices and is missing where one does.
    formula. {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
 2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be", as the
    paper supposes? For any vehicle, shorter waves are never allowed more than longer ones. With the
-   paper's damping and with bump stops of ours, met at 0.6 of the stroke limit, longer waves may
-   grow with the square of their length as well. {{outcome:fig-level/shape}} If the stops are as
-   stiff as the spring, short waves still have one constant allowed amplitude. If they are ten times
-   as stiff, it falls from {{one-wave-10}} to at most {{level-10}} for waves below {{second-10}} at
-   100 km/h, because every third wave can keep the body swinging. {{outcome:fig-level/subharmonic}}
+   paper's damping and with bump stops of ours, which the body meets at 0.6 of the stroke that it
+   may use, longer waves may grow with the square of their length as well.
+   {{outcome:fig-level/shape}} If the stops are as stiff as the spring, short waves still have one
+   constant allowed amplitude. If they are ten times as stiff, it falls from {{one-wave-10}} to at
+   most {{level-10}} for waves below {{second-10}} at 100 km/h, because every third wave can keep
+   the body swinging. {{outcome:fig-level/subharmonic}}
 3. Short waves load the wheel. Do the curves of that limit "not interpenetrate each other as speed
    is changed"? This is not testable, because the paper prints neither masses nor dampers. It is
-   true if the damping is at least {{least-damping}} of the critical one and the body has at least
-   twice the mass of the wheel.
+   true if the damping is at least {{least-damping}} of the critical one (with which a free body
+   just no longer swings) and the body has at least twice the mass of the wheel.
 :::
 
 ## The idea
@@ -35,7 +36,7 @@ track. The vehicle can bear only so much *stroke* of its suspension, the change 
 spring, before it meets a stop, and only so much force between wheel and rail. One metre of
 amplitude would use up each limit several times over. The inverse of the larger multiple is the
 amplitude, in metres, that may be left in the track at that wavelength. The least of it over all
-speeds up to the posted one is what has to be maintained.
+speeds up to the posted one, the line's speed limit, is what has to be maintained.
 
 The curve of these amplitudes becomes a filter. Run over a record of the track, it gives the
 *descriptor*, which reaches 1 where the track uses up what the vehicle can bear. In the drawing, a

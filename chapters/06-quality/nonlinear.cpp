@@ -445,11 +445,12 @@ void table_pairs(report::Item& item) {
 }  // namespace
 
 const report::Section nonlinear{
-    report::figure("fig-level",
-                   "Stiff bump stops lower the allowance for short waves in steps. Least amplitude "
-                   "at which some start reaches the stroke limit at 100 km/h, by the stiffness of "
-                   "the stops over that of the spring. The stops are ours.",
-                   fig_level),
+    report::figure(
+        "fig-level",
+        "Stiff bump stops lower the allowance for short waves in steps. Least amplitude at which "
+        "the motion from some start reaches the stroke limit at 100 km/h, by the stiffness κ of "
+        "the stops over that of the spring; dotted, by harmonic balance. The stops are ours.",
+        fig_level),
     report::table("table-levels",
                   "Stops that are met late, and little damping, make more levels. First and "
                   "lowest level for other stiffnesses, gaps and dampers at 100 km/h. All are "

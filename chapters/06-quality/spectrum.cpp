@@ -91,8 +91,9 @@ void fig_08(report::Item& item) {
 const report::Section spectrum{
     report::figure("fig-08",
                    "Figure 8. Squared, the allowed amplitude is only roughly like a spectrum of "
-                   "track. Spectrum of another slow line, and the squared amplitude in two "
-                   "readings, with fitted heights. The paper's curves are lost.",
+                   "track. Solid, the spectrum of another slow line; broken, the squared amplitude "
+                   "taken as a spectrum in two ways, for bands of equal width and for bands in "
+                   "equal ratios, with fitted heights. The paper's curves are lost.",
                    fig_08)};
 
 }  // namespace railbook::quality_chapter

@@ -102,8 +102,9 @@ const report::Section spreading{
                    fig_10),
     report::figure("fig-11",
                    "Figure 11. Two segments that are alike today need not be alike later. Standard "
-                   "deviation of the descriptor and the number n against tonnage, for ties renewed "
-                   "(A) and surfaced only (B). Law and rates are ours.",
+                   "deviation of the descriptor and the number n against the tonnage that has run "
+                   "over it, for ties renewed (A) and surfaced only (B), which we let spread four "
+                   "times as fast. Law and rates are ours.",
                    fig_11)};
 
 }  // namespace railbook::quality_chapter

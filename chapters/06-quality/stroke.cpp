@@ -261,9 +261,10 @@ const report::Section stroke{
     report::figure("fig-01",
                    "Figure 1. What a vehicle minds is not what looks rough. Above, the vehicle: "
                    "one wheel, one body, a spring, a damper and a bump stop, on a wave of the "
-                   "track. Below, a record of track and its descriptor at 100 km/h, which is 1 "
-                   "where a wave uses up the stroke. The paper's drawing is lost in our copy; the "
-                   "stop and the record are ours.",
+                   "track. Below, a record of track and its descriptor at 100 km/h, a filtered "
+                   "record that is 1 where the track uses up what the spring may give: the 60-mm "
+                   "hill leaves it near 0, the 16-mm bump and the 12-mm waves nearly reach 1. The "
+                   "paper's drawing is lost in our copy; the stop and the record are ours.",
                    fig_01),
     report::figure("fig-02",
                    "Figure 2. At 100 km/h waves of about 55 m shake the body most. Amplitude of "
@@ -280,8 +281,9 @@ const report::Section stroke{
                    "least over all speeds up to 100 km/h.",
                    fig_04),
     report::figure("fig-05",
-                   "Figure 5. A faster line must be level to longer waves. Envelopes for five "
-                   "track speeds in km/h, with the paper's level of 1.6 cm; the speeds are ours.",
+                   "Figure 5. A faster line must be smooth up to longer waves. The allowed "
+                   "amplitude for five track speeds in km/h, with the paper's level of 1.6 cm for "
+                   "short waves; the speeds are ours.",
                    fig_05)};
 
 }  // namespace railbook::quality_chapter

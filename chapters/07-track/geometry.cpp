@@ -157,10 +157,10 @@ const report::Section geometry{
                    "half of their difference (in place of the paper's Fig. 7, which is lost).",
                    profile),
     report::figure("fig-06",
-                   "Better track is smoother at all wavelengths. Spectra of cross level for two "
-                   "classes of track by a family of curves from later literature; the marks show "
-                   "where staggered joints add power (in place of the paper's Fig. 6, which is "
-                   "lost).",
+                   "Class 6 lies below class 3 by about one factor at all wavelengths. Spectra of "
+                   "cross level for two classes of track by a family of curves from later "
+                   "literature, whose height is doubtful; the marks show where staggered joints "
+                   "add power (in place of the paper's Fig. 6, which is lost).",
                    cross_level)};
 
 }  // namespace railbook::track_chapter

@@ -209,11 +209,13 @@ const report::Section drawing{report::figure(
     overview)};
 
 const report::Section impact{
-    report::figure("fig-joint",
-                   "A low joint is struck twice: a sharp P1, and a slow P2 under a ripple. Force "
-                   "between wheel and rail at 60 mph over a dip of 0.5 in, for two dampings, with "
-                   "its running mean; the text below defines the four peaks (typical track).",
-                   fig_joint),
+    report::figure(
+        "fig-joint",
+        "A low joint is struck twice: a sharp P1, and a slow P2 under a ripple. Force between "
+        "wheel and rail at 60 mph over a dip of 0.5 in, for two dampings, with its running mean. "
+        "P1 is the first peak, P2 the highest point of the mean; more damping (dotted) leaves "
+        "little but the slow motion. The text below defines the other two (typical track).",
+        fig_joint),
     report::table("joint-peaks",
                   "P1 and P2 grow with speed times dip, and simple formulas come close. Peaks of "
                   "the force by their definitions, and the formulas of British practice.",

@@ -183,8 +183,8 @@ const report::Section joint{
     report::figure(
         "fig-03",
         "A joint takes stiffness away over some ten feet. Stiffness under a wheel near a joint "
-        "over that of unjointed rail, exact and by formula (8), for a pinned joint (a hinge, left) "
-        "and a free one (right) (the paper's Fig. 3).",
+        "over that of unjointed rail: solid exact, dash-dotted by formula (8), squares by finite "
+        "elements; left a pinned joint (a hinge), right a free one (the paper's Fig. 3).",
         fig_03),
     report::table("joint",
                   "A free joint leaves a quarter of the stiffness, a pinned one a half. What the "

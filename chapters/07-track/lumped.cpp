@@ -260,12 +260,11 @@ const report::Section lumped{
                    "Two wheels on one rail, each with its own track below it. The lumped model, "
                    "drawn after the paper's words on its Fig. 4.",
                    scheme),
-    report::figure(
-        "fig-05",
-        "At 250 mph the bed still moves after the last wheel. Deflection at a fixed point beside "
-        "the track as two trucks pass, static and at two speeds; arrows mark the four wheels (in "
-        "place of the paper's Fig. 5).",
-        modulation),
+    report::figure("fig-05",
+                   "At 250 mph the bed still moves after the last wheel. Deflection of the rail at "
+                   "one point of the track as two trucks pass, static and at two speeds; arrows "
+                   "mark the four wheels (in place of the paper's Fig. 5).",
+                   modulation),
     report::table("trackside-peak",
                   "The lumped mass makes the effect of inertia three times too large. Peak "
                   "deflection at a fixed point over the static one.",

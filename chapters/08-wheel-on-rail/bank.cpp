@@ -102,13 +102,14 @@ void fig_bank(report::Item& item) {
 }  // namespace
 
 const report::Section against_bank{
-    report::figure("fig-bank",
-                   "Over five decades the two programs' answers lie on one line. Ours against "
-                   "CONTACT's, without signs, over the cases of its test bank; the line is "
-                   "equality. Forces in N, pressures in MPa, lengths in mm, power in W, moments in "
-                   "N mm; those "
-                   "with FASTSIM stand in the same panels",
-                   fig_bank),
+    report::figure(
+        "fig-bank",
+        "Over five decades the two programs' answers lie on one line. Ours against CONTACT's, "
+        "without signs, over the cases of its test bank; the line is equality. Nothing is grossly "
+        "wrong; differences of a few per cent cannot be seen here, the next table has them. Forces "
+        "in N, pressures in MPa, lengths in mm, power in W, moments in N mm; those with FASTSIM "
+        "stand in the same panels.",
+        fig_bank),
     report::table(
         "bank",
         "The two programs differ by less than their cells make. Values of each quantity "

@@ -59,11 +59,10 @@ void fig_stress(report::Item& item) {
 
 }  // namespace
 
-const report::Section below{report::figure(
-    "fig-stress",
-    "Sliding brings the largest stress up to the surface. Largest von Mises stress in the rail at "
-    "each "
-    "depth over the largest pressure, right wheel at 3 mm on the tread and at 8 mm on the flange; "
-    "dashed "
-    "the same pressure without friction. By this program; the benchmark has no stresses",
-    fig_stress)};
+const report::Section below{
+    report::figure("fig-stress",
+                   "Sliding raises the largest stress, on the flange up to the surface. Largest "
+                   "von Mises stress in the rail at each depth over the largest pressure, right "
+                   "wheel at 3 mm on the tread and at 8 mm on the flange; dashed the same pressure "
+                   "without friction. By this program; the benchmark has no stresses.",
+                   fig_stress)};

@@ -211,25 +211,22 @@ void draw_scene(report::Item& item) {
 }  // namespace
 
 const report::Section opening{
-    report::figure("pair",
-                   "A wheel can touch its rail at two places at once. Top: the right wheel on its "
-                   "rail in section, "
-                   "shifted by 5 mm towards its flange, with the normal load of each patch. "
-                   "Middle: the gap that "
-                   "undeformed wheel and rail would have at that load; where it is negative they "
-                   "overlap, and a "
-                   "patch forms. Bottom: the patches from above with their pressures",
-                   draw_pair),
+    report::figure(
+        "pair",
+        "A wheel can touch its rail at two places at once. Top: the right wheel on its rail in "
+        "section, shifted by 5 mm towards its flange, with the normal load of each patch. Middle: "
+        "the gap that undeformed wheel and rail would have at that load; where it is negative they "
+        "overlap, and a patch forms. Bottom: the patches from above with their pressures.",
+        draw_pair),
     report::figure("fig-patches",
                    "A patch shrinks and stretches as the wheel moves towards its flange. Pressures "
-                   "in the patch of "
-                   "the right wheel at five shifts, each in its own plane and colour scale; dashed "
-                   "the ellipse "
-                   "that Hertz's formulas give. By this program",
+                   "in the patch of the right wheel at five shifts, each in its own plane and "
+                   "colour scale; dashed the ellipse that Hertz's formulas give. By this program.",
                    fig_patches)};
 
-const report::Section drawn{report::figure(
-    "scene",
-    "Two patches share the wheel at a shift of 5 mm. The wheel's surface from below, coloured by "
-    "pressure, and the tractions on it as lines. By this program; the wheel of the first drawing",
-    draw_scene)};
+const report::Section drawn{
+    report::figure("scene",
+                   "Both patches slide, and mostly across the track. The wheel's surface from "
+                   "below at a shift of 5 mm, coloured by pressure, with the tractions on it as "
+                   "lines. By this program; the wheel of the first drawing.",
+                   draw_scene)};

@@ -303,14 +303,16 @@ void fig_cost(report::Item& item) {
 }  // namespace
 
 const report::Section accuracy{
-    report::figure("fig-length",
-                   "Twenty kilometres give the roughness to some two per cent. Bias (above) and "
-                   "scatter (below) of roughness, corner and dip, and the fraction of records with "
-                   "the right class, against the length of the record.",
-                   fig_length),
+    report::figure(
+        "fig-length",
+        "Twenty kilometres give the roughness to some two per cent. Bias (above) and scatter "
+        "(below) of roughness, corner and dip, and the fraction of records with the right class, "
+        "against the length of the record; black, the regression on segments of 4096 ft.",
+        fig_length),
     report::figure("fig-cost",
                    "Long segments win on long records. Error of the roughness against the run time "
-                   "of one record; the points of a curve are 2.5, 5, 10 and 20 km of track.",
+                   "of one record, black on segments of 4096 ft; the points of a curve are 2.5, 5, "
+                   "10 and 20 km of track.",
                    fig_cost)};
 
 }  // namespace railbook::psd_chapter

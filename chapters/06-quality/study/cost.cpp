@@ -316,13 +316,15 @@ const report::Section cost{
                    "Use transforms for any record longer than the filter. Relative error of "
                    "the descriptor of a sine against run time, for both ways of filtering.",
                    fig_filter_time),
-    report::figure("fig-stops-time",
-                   "For small errors take the exact solver, which has no setting. Relative error "
-                   "of the stroke after 20 s between stops against run time.",
-                   fig_stops_time),
+    report::figure(
+        "fig-stops-time",
+        "For small errors take the exact solver, which has no setting: one point below all others. "
+        "Relative error of the stroke after 20 s between stops against run time.",
+        fig_stops_time),
     report::figure("fig-spreading-time",
-                   "Use the implicit steps for many cells. Relative error of the standard "
-                   "deviation after twelve runs of a spreading histogram against run time.",
+                   "Both kinds of steps cost about the same until many cells are needed; then use "
+                   "the implicit ones. Relative error of the standard deviation after twelve runs "
+                   "of a spreading histogram against run time.",
                    fig_spreading_time)};
 
 }  // namespace railbook::quality_chapter

@@ -2,7 +2,8 @@
 
 ## Error against run time
 
-Three questions: how to filter a record, to follow a body with stops, and to spread a histogram.
+Three questions: how to filter a record, to follow a body with stops, and to spread a histogram. The
+best method stands at the lower left of a panel.
 
 {{include: cost.cpp}}
 

@@ -99,8 +99,9 @@ void cost_moving(report::Item& item) {
 
 const report::Section cost{
     report::figure("cost-moving",
-                   "The closed form needs no time and has all digits. Error of the deflection "
-                   "under a moving load against run time, by method.",
+                   "The closed form, by quadratic factors, is the quickest and has all digits. "
+                   "Error of the deflection under a moving load against run time, by method; the "
+                   "best stands at the lower left.",
                    cost_moving)};
 
 }  // namespace railbook::track_chapter
