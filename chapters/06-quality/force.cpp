@@ -38,8 +38,9 @@ depends on $r$ alone:
 
 With the damping of the roll example, 0.2, the curves of all these cars would cross. The paper says
 that for the wheel force it uses "spring and damping constants appropriate for vehicle response" to
-profile and alignment, and does not print them, so its statement cannot be tested. Cars with a body
-of less than twice the wheel's mass need less damping: {{damping-light}} at $r$ = 0.5.
+profile and alignment (the heights of the rails and their line sideways), and does not print them,
+so its statement cannot be tested. Cars with a body of less than twice the wheel's mass need less
+damping: {{damping-light}} at $r$ = 0.5.
 
 The force left for the track is 143 kN less the static load, {{margin-A}} for car A and {{margin-B}}
 for car B. Car C has nothing left. Its static {{static-C}} exceed the limit, and the library's

@@ -1,8 +1,8 @@
 /*** ## From the descriptor to an index
 
-A geometry car gives over 5000 values a kilometre, and the filter gives as many. The foreman needs
-each one beyond $T_2$, the threshold for immediate repair. The planner needs the *histogram*, how
-often each value occurs.
+A geometry car, which measures track while it runs, gives over 5000 values a kilometre, and the
+filter gives as many. The foreman needs each one beyond $T_2$, the threshold for immediate repair.
+The planner needs the *histogram*, how often each value occurs.
 
 The paper first weighs the two kinds of index in use. Averages such as the rms value suppress the
 single bad places, and counts of exceptions need thresholds, which so far "have been set

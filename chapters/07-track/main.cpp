@@ -1,9 +1,10 @@
 /***
 # Track dynamics: what does a wheel feel of the track below it?
 
-A wheel that meets a low joint strikes the rail with half as much again as the load it carries, and
-such blows break rails, ties and bearings. To compute them, a track of steel, wood and stone must
-become a few springs, masses and dampers; if one of these is wrong, so is the blow.
+A wheel that meets a low joint, where two rails meet and sag, strikes the rail with half as much
+again as the load it carries, and such blows break rails, ties and bearings. To compute them, a
+track of steel, wood and stone must become a few springs, masses and dampers; if one of these is
+wrong, so is the blow.
 
 ::: {#live-joint .live figure=joint}
 
@@ -27,9 +28,10 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
    near a free joint {{outcome:joint/eq8-free}} and by up to {{hinge-error-size}} near a *pinned*
    one, which carries shear only {{outcome:joint/eq8-pinned}}. The paper does not say which error it
    would still call good.
-3. How much of the track moves with the wheel? The paper says that its mass (15) comes from the
-   first natural frequency of a beam on a foundation. Rayleigh's method gives exactly this mass, but
-   its estimate of the frequency is {{too-high}} too high. {{outcome:masses/natural-frequency}}
+3. How much of the track moves with the wheel? The paper says that its formula (15) for this mass
+   comes from the first natural frequency of a beam on a foundation. Rayleigh's method gives exactly
+   this mass, but its estimate of the frequency is {{too-high}} too high.
+   {{outcome:masses/natural-frequency}}
 :::
 
 ## The paper

@@ -18,14 +18,14 @@ tie and ballast moves with the rail:
 
 With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But the paper
 calls $\rho$ the "track mass per unit length" and, below (15), the mass "of tie, ballast and rail".
-With half a tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number
-rests on the modulus, the rail, the tie, the reading of (18) and the rule for the ballast, all of
-which we chose; as they are varied, the speed is {{v-range}}, and the error at 250 mph
-{{error-range}} of the deflection. The upper end of the speed needs everything at its most
-favourable at once: a heavy rail, light ties, the second rule for the ballast below (18), fast shear
-waves and a bed of $K$ = {{k-best}}. A critical speed of 1100 mph needs $K$ = {{k-for-1100}} with
-the rail alone, {{k-for-1100-tie}} with half a tie and {{k-for-1100-ballast}} with the ballast as
-well; maintained main lines have 1500 to 3000 psi. Since the paper prints neither $K$ nor $\rho$,
+With half a tie the speed is {{v-tie}}; with the ballast as well, whose mass is (18) below,
+{{v-ballast}}. That number rests on the modulus, the rail, the tie, the reading of (18) and the rule
+for the ballast, all of which we chose; as they are varied, the speed is {{v-range}}, and the error
+at 250 mph {{error-range}} of the deflection. The upper end of the speed needs everything at its
+most favourable at once: a heavy rail, light ties, the second rule for the ballast below (18), fast
+shear waves and a bed of $K$ = {{k-best}}. A critical speed of 1100 mph needs $K$ = {{k-for-1100}}
+with the rail alone, {{k-for-1100-tie}} with half a tie and {{k-for-1100-ballast}} with the ballast
+as well; maintained main lines have 1500 to 3000 psi. Since the paper prints neither $K$ nor $\rho$,
 its number and the 3 percent cannot be tested.
 
 At 150 mph the error is {{error-at-150-ballast}} of the deflection on the typical track

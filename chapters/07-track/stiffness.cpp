@@ -108,7 +108,7 @@ void continuous(report::Item& item) {
                 {"β, 1/in", "{:.6f}"},
                 {"K<sub>r</sub>, lb/in", "{:.0f}"},
                 {"K<sub>r</sub>, MN/m", "{:.2f}"},
-                {"zero deflection, ft", "{:.3f}"},
+                {"first zero deflection at, ft", "{:.3f}"},
                 {"2/β, ft", "{:.3f}"}});
   for (const double psi : {1000.0, 1500.0, 2000.0, 3000.0, 5000.0}) {
     const WinklerBeam beam{typical_rail().bending_stiffness(), psi * units::psi};

@@ -2,8 +2,9 @@
 
 A program that simulates a vehicle asks for these forces thousands of times a second, at each wheel
 and for each position. The textbook's answer is one elliptical contact, but a real wheel on a real
-rail touches on the tread, at the corner or on the flange, and often at two places at once. Wear, noise
-and derailment are decided by what happens in these patches of half a square centimetre.
+rail touches on its running surface (the tread), on the rim inside the rail (the flange) or at the
+corner between them, and often at two places at once. Wear, noise and derailment are decided by what
+happens in these patches of half a square centimetre.
 
 ::: {#live-wheel-on-rail .live figure=wheel-on-rail}
 
@@ -36,10 +37,10 @@ forces. It joins the wheel and rail profiles of [chapter 02](02-hunting.html), t
 
 We compare with case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), in its
 part A2.2 with yaw. The reference values are those of the open-source version of CONTACT. A wheelset
-with the European wheel profile S1002 stands on rails UIC 60 that lean inwards by 1:40. It carries
-20 kN, the friction coefficient $\mu$ is 0.3, and it rolls at 2 m/s. It is shifted sideways by 0 to
-10 mm and turned about the vertical, *yawed*, by 2.4 mrad for each millimetre of shift. That makes
-eleven positions and 22 wheels.
+with the European wheel profile S1002 stands on rails UIC 60 (today 60E1) that lean inwards by 1:40.
+It carries 20 kN, the friction coefficient $\mu$ is 0.3, and it rolls at 2 m/s. It is shifted
+sideways by 0 to 10 mm and turned about the vertical, *yawed*, by 2.4 mrad for each millimetre of
+shift. That makes eleven positions and 22 wheels.
 
 {{fig-patches}}
 
@@ -133,16 +134,18 @@ a small part of the friction limit, shows it.
   0.2 mm, four across a patch of the flange; on finer cells its pressures are lower.
 * **At 5 mm** its right wheel has one patch of two areas 10 mm apart, with one plane between; here they
   are two half-spaces. That wheel is shown and not compared.
-* **Roll and turning.** That a wheelset whose roll is free balances with friction's part of the forces is
-  plain statics, but it was put so after CONTACT's numbers were seen and confirms nothing. In the table
-  above, the roll of the wheelset and the rate at which it turns are the benchmark's.
+* **Roll and turning.** The *roll* of the wheelset is its tilt about the direction of the track.
+  That a wheelset whose roll is free balances with friction's part of the forces is plain statics,
+  but it was put so after CONTACT's numbers were seen and confirms nothing. In the table above, the
+  roll of the wheelset and the rate at which it turns are the benchmark's.
 
 ## Limits
 
 * *Half-spaces*, also on the gauge corner, where a patch whose normal turns by more than 0.35 rad is
-  reported as conformal. Plane patches; steady rolling.
-* *Falling friction.* Friction falls with the mean rigid slip of a patch, not with the slip of each
-  particle; with that a rolling contact has several solutions.
+  reported as conformal, that is too curved for half-spaces. Patches are plane, and the rolling is
+  steady.
+* *Falling friction.* Friction falls with the mean slip that a patch of rigid bodies would have, not
+  with the slip of each particle; with that a rolling contact has several solutions.
 * *Unlike materials.* Pressures drive the surfaces of unlike bodies apart along themselves, so that a
   roller of aluminium on one of steel creeps even when it rolls freely. The full theory takes that into
   the slip and meets Bentall and Johnson's rollers within 1 % of the creepage that CONTACT prints (a
@@ -283,10 +286,10 @@ void case_a(report::Item& item) {
                     report::relative(0.02, "its cells are a quarter of a flange patch"), work);
     row.publication("approach", p.approach / units::micrometre,
                     report::relative(0.02, "its cells are a quarter of a flange patch"), work);
-    row.publication("fx", p.forces.fx, report::absolute(0.01 * bound, "a hundredth of the bound"),
-                    work);
+    row.publication("fx", p.forces.fx,
+                    report::absolute(0.01 * bound, "a hundredth of the friction limit"), work);
     row.publication("fy", wheel.side * p.forces.fy,
-                    report::absolute(0.01 * bound, "a hundredth of the bound"), work);
+                    report::absolute(0.01 * bound, "a hundredth of the friction limit"), work);
     const PatchResult quick = solved(wheel, Method::strips).patches.front();
     const auto off = [&](const PatchResult& a, double& worst_pressure, double& worst_force) {
       worst_pressure =
