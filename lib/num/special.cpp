@@ -1,11 +1,13 @@
 #include <railbook/num/special.hpp>
 
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sf_expint.h>
 
 #include <cmath>
 #include <numbers>
 
 #include <railbook/num/gsl.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::num {
 
@@ -16,6 +18,12 @@ double sine_integral(double x) {
   gsl_sf_result result;
   check_gsl(gsl_sf_Si_e(x, &result), "sine_integral");
   return result.val;
+}
+
+double student_quantile(double probability, double degrees) {
+  units::require_positive("degrees of freedom", degrees, "");
+  units::require_between("probability", probability, 0, 1);
+  return gsl_cdf_tdist_Pinv(probability, degrees);
 }
 
 }  // namespace railbook::num

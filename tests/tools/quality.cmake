@@ -32,6 +32,13 @@ quality_refuses("a record of gaps" "no finite sample" index ${bad}/missing.csv -
 quality_refuses("a cell that is no number" "line 3: column .profile_mm. is .one." index ${bad}/text.csv --speed 100km/h)
 quality_refuses("a band nobody knows" "bands: .D9.*allowed: D0, D1, D2, D3" measures track.csv --column crosslevel --bands D9)
 quality_refuses("one run to compare" "1 records are given.*allowed: 2" compare track.csv --column crosslevel)
+quality_refuses("three runs without dates" "3 records are given without dates.*--dates" compare track.csv track.csv track.csv --column crosslevel)
+quality_refuses("a date that is none" "dates: .2023-02-29.. allowed: days written as" compare track.csv track.csv --column crosslevel --dates 2022-02-28,2023-02-29)
+quality_refuses("a date in words" "dates: .May 2023.. allowed: days written as" compare track.csv track.csv --column crosslevel --dates 2022-02-28,May\ 2023)
+quality_refuses("runs in the wrong order" "2021-05-01 comes after 2022-05-01. allowed: the earliest run first"
+                compare track.csv track.csv --column crosslevel --dates 2022-05-01,2021-05-01)
+quality_refuses("a date too few" "1 dates are given for 2 records. allowed: one for each" compare track.csv track.csv --column crosslevel --dates 2022-05-01)
+quality_refuses("a fall of nothing" "tamping drop is 0. allowed" compare track.csv track.csv --column crosslevel --dates 2022-05-01,2023-05-01 --tamping-drop 0)
 quality_refuses("a threshold of zero" "threshold is 0.*allowed" index track.csv --column crosslevel --speed 100km/h --threshold 0)
 quality_refuses("waves shorter than the samples show" "shortest wavelength is 0.3 m.*allowed" index track.csv --column crosslevel --speed 100km/h --shortest 30cm)
 quality_refuses("a filter beyond all reach" "reach of the filter over the spacing" index track.csv --column crosslevel --speed 200m/s --roll-frequency 0.001Hz)

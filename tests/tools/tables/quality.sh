@@ -57,6 +57,27 @@ for share in 3:1000:1600 4:1000:1800; do
   near "sections that are found" "$(v lost compared)" $((15 - lost)) 0
   grep -q "\"not-found\": \"$lost of 15 sections could not be judged: from 1[02]00 m (not like the first run" lost.json || fail "$lost sections are not found: $(grep not-found lost.json)"
 done
+# Five runs at uneven times of track that grows by 4 % a year of what it was at first; in the fourth it is half as rough between 1200 and 1800 m, and of another shape.
+set -- 2020-03-01 2020-09-01 2021-09-01 2022-06-01 2024-03-01
+for day in 0 184 549 822 1461; do
+  awk -v day=$day 'BEGIN {print "distance_m,profile_mm"; for (i = 0; i < 12000; ++i) {x = i / 4; w = 2 * 3.14159265358979 * x
+    z = 4 * sin(w / 10 + 3 * sin(x / 97)) + 3 * sin(w / 23 + 2 * sin(x / 61)); if (day > 800 && x >= 1200 && x < 1800) z = 2 * sin(w / 11 + 3 * sin(x / 47)) + 1.5 * sin(w / 21 + 2 * sin(x / 71))
+    printf "%.3f,%.5f\n", x + day / 500, z * (1 + 0.04 * day / 365.25) + 0.05 * sin(i * i + day)}}' >year$day.csv
+done
+answers years compare year0.csv year184.csv year549.csv year822.csv year1461.csv --section 200m --dates "$1,$2,$3,$4,$5"
+holds "growth a year" years/growth.csv '{since = $c["since"] " " $c["until"] " " $c["runs"]; grown = $c["growth_mm_per_year"]; reach = ($c["high"] - $c["low"]) / 2}
+  $1 < 1200 || $1 >= 1800 {++whole; near(since == first " " last " 5" && $c["begins"] == "first", 1, 0); near(grown, 0.14, 0.03); near(reach / $c["standard_error"], 3.182446305, 1e-6); near($c["standard_error"] < 0.002, 1, 0)}
+  $1 >= 1200 && $1 < 1800 {++parts[$c["begins"]]; near($c["low"] < grown && grown < $c["high"] || $c["runs"] == 2, 1, 0)} $c["begins"] == "tamped" {near(since == "2022-06-01 " last " 2", 1, 0); near($c["drop"], 0.5, 0.15); near($c["standard_error"] == "nan", 1, 0)}
+  END {near(whole, 12, 0); near(parts["first"], 3, 0); near(parts["tamped"], 3, 0)}' first="$1" last="$5"
+near "sections tamped" "$(v years tamped)" 3 0
+near "sections with a growth" "$(v years judged)" 15 0
+near "sections whose growth is above zero" "$(v years certain)" 12 0
+holds "deviations of runs" years/deviations.csv '{if ($c["left_out"] != "") {print $0; wrong++} off[$c["date"]] += $c["offset_m"] == "nan" ? 0 : $c["offset_m"] / 12} $1 == 1400 && $c["date"] == "2022-06-01" {near($c["correlation"], "nan", 0)}
+  END {near(rows, 75, 0); near(off[last], 1461 / 500 * 15 / 12, 0.1)}' last="$5"
+# Two dates: a growth without an error, said so.
+answers two compare year0.csv year549.csv --section 200m --dates "$1,$3"
+grep -q '"median_growth_mm_per_year": "two runs a section: no standard error"' two.json && ! grep -q '"errors": {[^}]' two.json || fail "an error of two runs"
+grep -q '"tamped": 0' two.json || fail "tamped: $(grep tamped two.json)"
 # The worst places in order of their size, whatever their sign.
 "$railbook" psd synthesize track.csv --length 6km --seed 3 --roughness 2e-6m^2*cycle/m >/dev/null || fail "synthesize"
 answers worst index track.csv --speed 100km/h
