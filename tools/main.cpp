@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
            {filters_tool::process_tool(), filters_tool::simulate_tool()}},
           {"psd",
            "track roughness by power spectral density",
-           {psd_tool::classify_tool(), psd_tool::synthesize_tool()}},
+           {psd_tool::classify_tool(), psd_tool::roughness_tool(), psd_tool::synthesize_tool()}},
           {"quality",
            "track as a vehicle feels it",
            {quality_tool::compare_tool(), quality_tool::index_tool(), quality_tool::limit_tool(),

@@ -33,6 +33,7 @@ tool::Tool simulate_tool();
 }  // namespace filters_tool
 namespace psd_tool {
 tool::Tool classify_tool();
+tool::Tool roughness_tool();
 tool::Tool synthesize_tool();
 }  // namespace psd_tool
 namespace quality_tool {

@@ -167,7 +167,8 @@ std::vector<units::Warning> RecordStream::warnings() const {
   const double A = roughness();
   const double inner = A * (moved_ > 0 ? moved_inner_ / moved_ / 0.58 : 0);
   const bool periodic = A < smoothest && inner >= smoothest;
-  if (A > 0 && !(A >= smoothest && A <= roughest) && !periodic)
+  // Samples millimetres apart are of a rail's running surface.
+  if (spacing_ > 0.02 && A > 0 && !(A >= smoothest && A <= roughest) && !periodic)
     result.push_back(
         {"unit",
          "heights leave the chord of " + short_text(static_cast<double>(past_.size()) * spacing_) +

@@ -96,3 +96,17 @@ for case in 10240:1024:4:0 10239:512:8:1023 12288:1024:5:0; do
   awk -v m="$(v four segment_m)" -v n="$(v four segments)" -v case="$case" 'BEGIN {split(case, c, ":"); exit !(m == c[2] && n == c[3])}' || fail "segments of $case: $(grep segment four.json)"
   grep -q "\"segments\": \"(\{0,1\}${case##*:} samples in none" four.json || fail "samples in none of $case: $(grep '"segments"' four.json)"
 done
+# Acoustic roughness: a wave of 3 um and 80 mm on a rail is 10 lg(4.5) dB in its band, and little else is; two lines are averaged by their squares. A grain goes, and stays
+# with --keep-spikes; a pit of 4 mm is bridged but for what the wheel reaches into it.
+awk 'BEGIN {print "distance_m,left_um,right_um"; for (i = 0; i < 20000; ++i) {w = 2 * 3.14159265358979 * i / 80; z = 3 * sin(w)
+  printf "%.3f,%.5f,%.5f\n", i / 1000, z, 2 * z + (i == 5000 ? 200 : 0) - (i > 8000 && i < 8004 ? 300 : 0)}}' >rail.csv
+draws rough roughness rail.csv --column left,right
+holds "levels" rough/roughness.csv '$2 == 80 {n[$1] = $3} $2 != 80 && $1 == "left" && $3 > -20 {print $0; wrong++} $2 == 80 {near($5, 2.9, 0); near($4 > 0 && $4 < 2, 1, 0)}
+  END {near(n["left"], 10 * log(4.5) / log(10), 0.02); near(n["right"], 10 * log(18) / log(10), 0.03); near(n["average"], 10 * log(11.25) / log(10), 0.03); near(rows, 3 * 26, 0)}'
+near "spikes of the left line" "$(v rough left_spikes)" 0 0
+near "of the right one, whose pit has a sharp rim as well" "$(v rough right_spikes)" 4 2
+grep -q '"left_above_limit_mm": "80"' rough.json || fail "above the limit: $(grep above rough.json)"
+means rough 'says("left_bands", "1000 mm .a quarter of a segment. to 3.15 mm .three spacings of 1 mm."); is("left_bands", 26); warnings("right_outliers"); is("left_level_80_mm_dB", 10 * log(4.5) / log(10), 0.01)
+  for (key in v) named[key]'
+grow() { answers grown roughness rail.csv --column right "$@"; v grown level_5_mm_dB; }
+near "a grain and a pit make more" "$(echo "$(grow --keep-spikes --no-wheel) $(grow)" | awk '{print ($1 > $2 + 10)}')" 1 0
