@@ -28,6 +28,7 @@ tool::Tool history_tool();
 tool::Tool table_tool();
 }  // namespace creep_tool
 namespace filters_tool {
+tool::Tool integrate_tool();
 tool::Tool process_tool();
 tool::Tool simulate_tool();
 }  // namespace filters_tool

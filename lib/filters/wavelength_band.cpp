@@ -38,10 +38,8 @@ double band_gain(const Band& band, int passes, double phi) {
   return passes == 2 ? squared : std::sqrt(squared);
 }
 
-FilterTaps band_taps(const Band& band, int passes, double spacing) {
-  units::require_positive("spacing", spacing, "m");
-  units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
-                         units::infinity, "m");
+FilterTaps symmetric_taps(const Band& band, double spacing,
+                          const std::function<double(double phi)>& gain) {
   // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a
   // narrow band; twenty such. Tapered weights are eight times as far off in the band and more; well
   // beyond it those that just end are up to three times as far.
@@ -52,7 +50,7 @@ FilterTaps band_taps(const Band& band, int passes, double spacing) {
   num::RealFft fft{16 * std::bit_ceil(taps)};
   const auto n = static_cast<double>(fft.size());
   for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
-    fft.spectrum()[k] = band_gain(band, passes, static_cast<double>(k) / (n * spacing)) / n;
+    fft.spectrum()[k] = gain(static_cast<double>(k) / (n * spacing)) / n;
   fft.inverse();
   FilterTaps result{spacing, {}};
   result.half.assign(fft.real().begin(),
@@ -61,6 +59,13 @@ FilterTaps band_taps(const Band& band, int passes, double spacing) {
   for (const double weight : result.half) sum += 2 * weight;
   for (double& weight : result.half) weight -= sum / static_cast<double>(2 * taps + 1);
   return result;
+}
+
+FilterTaps band_taps(const Band& band, int passes, double spacing) {
+  units::require_positive("spacing", spacing, "m");
+  units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
+                         units::infinity, "m");
+  return symmetric_taps(band, spacing, [&](double phi) { return band_gain(band, passes, phi); });
 }
 
 std::size_t band_margin(const Band& band, double spacing) {

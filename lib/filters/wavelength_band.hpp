@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 
 #include <railbook/quality/descriptor_filter.hpp>
@@ -33,6 +34,12 @@ double band_gain(const Band& band, int passes, double phi);
 // InputError when the shortest wavelength is below two spacings, or when the band asks for more
 // than 10^6 samples or fewer than 8.
 FilterTaps band_taps(const Band& band, int passes, double spacing);
+
+// The symmetric filter with a gain that is the one of a band times a smooth one, without gain at
+// zero. `spacing` > 0, m. Throws InputError when the band asks for more than 10^6 samples or fewer
+// than 8.
+FilterTaps symmetric_taps(const Band& band, double spacing,
+                          const std::function<double(double phi)>& gain);
 
 // Samples dropped at each end and gap of a band: its longest wavelength. There the track
 // beyond, which nobody knows, may still change a wave of the band by a tenth of its amplitude in

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/printable.hpp>
 
@@ -42,24 +43,30 @@ units::Header header_of(const std::string& text) {
   return index ? header : units::Header{text, "", {}};
 }
 
-std::string unit_of_cell(std::string_view cell) {
+std::string unit_of_cell(std::string_view cell, const units::Dimension& dimension) {
   if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '('))
     cell = cell.substr(1, cell.size() - 2);
   if (cell.empty() || cell.size() > 40) return "";
   const units::Header header = table::parse_column("x (" + std::string{cell} + ")");
-  return header.unit.dimension == units::length ? header.unit_text : "";
+  return header.unit.dimension == dimension ? header.unit_text : "";
 }
 
 double metres(const std::string& header, const std::string& below, const std::string& given,
-              const std::string& option) {
+              const std::string& option, const units::Dimension& dimension) {
+  const std::string example = dimension == units::length  ? "a length, such as mm"
+                              : dimension == units::speed ? "a speed, such as km/h"
+                                                          : "an acceleration, such as m/s^2";
   units::Header named = header_of(header);
   if (named.unit_text.empty() && !below.empty()) named = table::parse_column("x (" + below + ")");
   if (given.empty() && named.unit_text.empty())
-    throw InputError{quoted(header) + " names no unit; give one with " + option + ", such as mm"};
-  const units::Unit unit = given.empty() ? named.unit : unit_given(given);
-  if (!(unit.dimension == units::length))
+    throw InputError{quoted(header) + " names no unit; give one with " + option + ": " + example};
+  units::Unit unit = given.empty() ? named.unit : unit_given(given);
+  // Of accelerations g is that of gravity and no gram.
+  if (dimension == units::acceleration && (given.empty() ? named.unit_text : given) == "g")
+    unit = {units::standard_gravity, units::acceleration};
+  if (!(unit.dimension == dimension))
     throw InputError{quoted(header) + " has the unit " + (given.empty() ? named.unit_text : given) +
-                     "; allowed: a length, such as mm"};
+                     "; allowed: " + example};
   if (!given.empty() && !named.unit_text.empty() && unit.si != named.unit.si)
     throw InputError{quoted(header) + " is in " + named.unit_text + " by its header, in " + given +
                      " by " + option};

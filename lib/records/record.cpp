@@ -258,7 +258,8 @@ void RecordStream::finish() {
   if (positions_ && !settled_) settle_spacing();
   units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
   if (any_ && !varies_)
-    throw InputError{"constant signal: all samples are " + units::number_text(first_value_) + " m"};
+    throw InputError{"constant signal: all samples are " + units::number_text(first_value_) +
+                     " in SI units"};
   screen_.finish();
   missing_ += gap_;
   if (gap_ > 0) unread_.push_back({samples_, gap_});

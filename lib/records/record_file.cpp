@@ -89,21 +89,31 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
                            source.dataset, source.decimal}};
   std::vector<std::size_t> column;
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
+  const auto dimension = [&](std::size_t i) {
+    return source.dimensions.empty() ? units::length : source.dimensions[i];
+  };
   // A row of units: none of the columns asked for holds a number, each of them names a unit.
   bool pending = reader.next();
   std::vector<std::string> below(reader.header().size());
-  if (pending && std::all_of(column.begin(), column.end(), [&](std::size_t c) {
-        return !unit_of_cell(reader.cell(c)).empty();
-      })) {
+  const auto unit_below = [&](std::size_t i) {
+    return unit_of_cell(reader.cell(column[i]), dimension(i));
+  };
+  bool units_below = pending;
+  for (std::size_t i = 0; pending && i < column.size(); ++i)
+    units_below = units_below && !unit_below(i).empty();
+  if (units_below) {
     for (std::size_t c = 0; c < below.size(); ++c) {
       const std::string text{reader.cell(c)};
       below[c] = text.find('+') != std::string::npos ? text : unit_of_cell(text);
     }
+    for (std::size_t i = 0; i < column.size(); ++i) below[column[i]] = unit_below(i);
     pending = false;
   }
   std::vector<double> metre;
-  for (const std::size_t c : column)
-    metre.push_back(metres(reader.header()[c], below[c], source.unit, "--unit"));
+  for (std::size_t i = 0; i < column.size(); ++i)
+    metre.push_back(metres(reader.header()[column[i]], below[column[i]],
+                           i == 0 || source.dimensions.empty() ? source.unit : "", "--unit",
+                           dimension(i)));
   const auto positions = positions_of(source, reader, below);
   std::optional<Resampler> resampler;
   if (source.resample) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <railbook/records/record.hpp>
+#include <railbook/units/quantity.hpp>
 
 namespace railbook::records {
 
@@ -18,6 +19,7 @@ struct RecordFile {
   std::filesystem::path file = {};  // - is standard input
   std::string column = "profile";   // by name, with or without its unit, or by number
   std::string unit = {};            // if the header of the column names none
+  std::vector<units::Dimension> dimensions = {};  // of the columns read; left out: lengths
   std::string distance =
       "distance";  // column of positions, or two that add up, "km+m"; read where they are
   std::string distance_unit = {};          // if its header names none; "km+m" for two

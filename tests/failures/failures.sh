@@ -54,6 +54,7 @@ answer hunting cycle --pair cn --speed 132ft/s --largest-amplitude 8mm
 answer filters process sensors.csv --config "$examples/filters/car.toml"
 answer psd classify track.csv
 answer psd roughness track.csv
+answer filters integrate "$examples/filters/axlebox.csv" --speed-column speed
 answer quality index track.csv --speed 100km/h
 answer quality limit --speed 100km/h
 answer track joint --speed 60mph --dip 0.5in

@@ -117,3 +117,18 @@ add_test(NAME "tool: filters process keeps a coarse gyro on straight track"
                  $<TARGET_FILE:railbook> ${folder}/filters)
 set_tests_properties("tool: filters process keeps a coarse gyro on straight track" PROPERTIES
                      PASS_REGULAR_EXPRESSION "curvature, mean where good .*good 9[0-9]" FAIL_REGULAR_EXPRESSION "masked")
+
+# A wave of 10 m and 2 mm at 20 m/s, with a bias and in g: an rms of 2 mm/sqrt(2) in D1, whatever the unit; (2 pi 20/25)^2 mm/s^2 a mm at 25 m.
+set(wave "BEGIN{k=2*atan2(0,-1)/10; print h; for(i=0;i<1200;i++) printf \"%.2f,%.17g\\n\",i/2,(0.3-20^2*k^2*0.002*cos(k*i/2))/u}")
+add_test(NAME "tool: filters integrates an acceleration"
+         COMMAND sh -c "awk -v h='distance_m,az_m/s^2' -v u=1 '${wave}' >$1-si.csv && awk -v h=distance_m,az -v u=9.80665 '${wave}' >$1-g.csv && $0 filters integrate $1-si.csv --column az --speed 20m/s && $0 filters integrate $1-g.csv --column az --speed 72km/h --unit g"
+                 $<TARGET_FILE:railbook> ${folder}/filters-wave)
+set_tests_properties("tool: filters integrates an acceleration" PROPERTIES FAIL_REGULAR_EXPRESSION "WARNING"
+                     PASS_REGULAR_EXPRESSION "rms +1\\.414 mm.*of 1 mm at 25 m +0\\.02527 m/s.2.*rms +1\\.414 mm")
+set(axlebox ${PROJECT_SOURCE_DIR}/tools/examples/filters/axlebox.csv)
+refuses(filters "an acceleration without a speed" "give --speed, or its column" integrate ${axlebox})
+refuses(filters "a speed twice" "give --speed, or its column" integrate ${axlebox} --speed 20m/s --speed-column speed)
+refuses(filters "a speed that is an acceleration" "has the unit m/s.2. allowed: a speed" integrate ${axlebox} --speed-column acceleration)
+refuses(filters "an acceleration that is a speed" "has the unit m/s. allowed: an acceleration" integrate ${axlebox} --column speed --speed 20m/s)
+refuses(filters "a band longer than the record" "record is 600 m long.*allowed: more than 1200 m" integrate ${axlebox} --speed 20m/s --band 3m-150m)
+refuses(filters "a band too fine" "shortest wavelength of the band is 1" integrate ${axlebox} --speed 20m/s --band 1m-3m)

@@ -19,6 +19,7 @@ names(in hunting geometry ${examples}/hunting/worn-wheel.csv --wheel @ --rail ${
 names(out hunting speed "")
 names(out hunting cycle "" --pair cn --speed 132ft/s --largest-amplitude 8mm)
 names(out filters simulate "" --length 1000ft)
+names(in filters integrate ${examples}/filters/axlebox.csv --speed-column speed @)
 names(in filters process ${PROJECT_BINARY_DIR}/ctest/filters-sensors.csv --config ${examples}/filters/car.toml @)
 names(file psd synthesize "" --length 1km)
 names(in psd classify ${PROJECT_BINARY_DIR}/ctest/psd-track.csv @)

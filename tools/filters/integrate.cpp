@@ -1,0 +1,206 @@
+/*
+### `filters integrate`: heights from one accelerometer
+
+    filters integrate axlebox.csv --column acceleration --speed-column speed --band D1 --out mine
+
+integrates the vertical acceleration of something that follows the track (an axle box, or a body together with its height over the axle)
+twice, along the track and without phase, in a band of wavelengths. At a speed `v` a wave of length `L` and height `z` is an acceleration
+`(2 pi v/L)^2 z`: what the accelerometer cannot tell grows with the square of `L/v`, and the answer says how high that is.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <railbook/filters/double_integral.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "record_options.hpp"
+#include "tools.hpp"
+
+namespace railbook::filters_tool {
+
+namespace {
+
+using units::millimetre;
+
+struct IntegrateOptions {
+  tools::TrackRecordOptions record;
+  std::optional<double> speed;  // m/s
+  std::string speed_column, band = "D1";
+  tool::Destination out;
+};
+
+struct Motion {
+  std::vector<double> acceleration, speed;  // m/s^2, m/s
+  std::unique_ptr<const records::RecordStream> record;
+  double slowest = units::infinity, fastest = 0;
+};
+
+Motion read(const IntegrateOptions& options) {
+  if (options.speed.has_value() == !options.speed_column.empty())
+    throw InputError{"speed: give --speed, or its column with --speed-column"};
+  records::RecordFile file = tools::record_file(options.record, options.record.batch.only());
+  file.screening = {
+      .codes = false, .outliers = false, .stuck = false, .steps = false};  // those are of heights
+  std::vector<std::string> columns = options.record.columns;
+  if (columns.size() != 1)
+    throw InputError{fmt::format("{} columns of acceleration; allowed: one", columns.size())};
+  file.dimensions = {units::acceleration};
+  Motion motion;
+  const auto into = [](std::vector<double>& all) {
+    return [&all](std::span<const double> piece, const records::RecordStream&) {
+      all.insert(all.end(), piece.begin(), piece.end());
+    };
+  };
+  std::vector<records::RecordSink> sinks{into(motion.acceleration)};
+  if (!options.speed) {
+    columns.push_back(options.speed_column);
+    file.dimensions.push_back(units::speed);
+    sinks.push_back(into(motion.speed));
+  }
+  motion.record = std::move(records::read_records(file, columns, sinks).front());
+  if (options.speed) motion.speed.assign(motion.acceleration.size(), *options.speed);
+  for (const double v : motion.speed) {
+    if (std::isnan(v)) continue;
+    motion.slowest = std::min(motion.slowest, v);
+    motion.fastest = std::max(motion.fastest, v);
+  }
+  if (!(motion.slowest > 0))
+    throw InputError{
+        fmt::format("column \"{}\": speed falls to {:g} m/s; allowed: above 0, without "
+                    "stops and reversals (--where, or a part of the file)",
+                    options.speed_column, motion.slowest)};
+  return motion;
+}
+
+// The step in which a column is written: the smallest difference of any two; 0 where all are alike.
+double smallest_step(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  std::ranges::sort(values);
+  double step = units::infinity;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (const double d = values[i] - values[i - 1]; d > 1e-12) step = std::min(step, d);
+  return std::isinf(step) ? 0 : step;
+}
+
+double rms(const std::vector<double>& values) {
+  double squares = 0, n = 0;
+  for (const double v : values)
+    if (!std::isnan(v)) squares += v * v, ++n;
+  return std::sqrt(squares / n);
+}
+
+void integrate(const IntegrateOptions& options) {
+  tool::OutFolder out(options.out, {"heights.csv", "integrate.json"});
+  const filters::Band band = filters::parse_band("band", options.band);
+  const Motion motion = read(options);
+  const records::RecordStream& record = *motion.record;
+  const double spacing = record.spacing();
+  const std::vector<double> heights =
+      filters::integrate_twice(motion.acceleration, motion.speed, band, spacing);
+  const auto answered = static_cast<std::size_t>(
+      std::count_if(heights.begin(), heights.end(), [](double z) { return !std::isnan(z); }));
+  if (answered == 0)
+    throw InputError{fmt::format(
+        "the record is {:g} m long, or has gaps; allowed: more than {:g} m without a gap, four "
+        "times "
+        "the "
+        "longest wavelength of the band at each end{}",
+        spacing * static_cast<double>(heights.size()),
+        2 * spacing * static_cast<double>(filters::double_integral_margin(band, spacing)),
+        motion.fastest > motion.slowest ? ", and as much again where the speed changes" : "")};
+  // White noise of the accelerometer's steps, through the filter.
+  const filters::FilterTaps taps = filters::double_integral_taps(band, spacing);
+  double squares = -taps.half[0] * taps.half[0];
+  for (const double w : taps.half) squares += 2 * w * w;
+  const double step = smallest_step(motion.acceleration);
+  const double noise =
+      step / std::sqrt(12.0) * std::sqrt(squares) / (motion.slowest * motion.slowest);
+  double change = 0;  // c of integrate_twice()
+  for (std::size_t i = 1; i < motion.speed.size(); ++i) {
+    const double before = motion.speed[i - 1], after = motion.speed[i];
+    const double rate = std::abs(after - before) / (spacing * std::min(before, after));
+    if (rate > 0) change = std::max(change, band.longest / (2 * units::pi) * rate);
+  }
+  const double left = std::max(change * change, change / 4);
+  const double height = rms(heights);
+  tool::Summary s{"heights in " + options.record.batch.only().string()};
+  s.add("length_km", "length", spacing * static_cast<double>(heights.size()) / 1000, "km",
+        fmt::format("{} samples, {} missing, {} bridged", record.samples(), record.missing(),
+                    record.bridged()));
+  s.add("spacing_m", "spacing", spacing, "m");
+  s.add("slowest_m_per_s", "speed, slowest", motion.slowest, "m/s");
+  s.add("fastest_m_per_s", "  fastest", motion.fastest, "m/s");
+  s.add("band", "band", fmt::format("{:g} to {:g} m", band.shortest, band.longest));
+  s.add("height_mm", "height in the band, rms", height / millimetre, "mm");
+  s.add(
+      "answered", "samples with a height", static_cast<double>(answered), "",
+      fmt::format("not within {:g} m of an end or a gap{}", 4 * band.longest,
+                  motion.fastest > motion.slowest ? ", twice that for a speed that changes" : ""));
+  s.add("steps_mm", "of it from the steps of the column", noise / millimetre, "mm",
+        fmt::format("steps of {:.3g} m/s^2, at the slowest speed", step));
+  for (const double length : {band.shortest, band.longest})
+    s.add(length == band.shortest ? "shortest_m_per_s2" : "longest_m_per_s2",
+          fmt::format("acceleration of 1 mm at {:g} m", length),
+          millimetre * std::pow(2 * units::pi * motion.slowest / length, 2), "m/s^2",
+          "at the slowest speed; an error as large is as high");
+  if (noise > 0.05 * height)
+    s.warn("steps", fmt::format("the column's steps of {:.3g} m/s^2 make {:.2g} mm of {:.2g} mm: a "
+                                "shorter band, a higher speed or more digits are needed",
+                                step, noise / millimetre, height / millimetre));
+  if (left > 0.05)
+    s.warn("speed", fmt::format("the speed changes by so much within a wave that {:.0f} % of the "
+                                "heights may be wrong",
+                                std::min(100.0, 100 * left)));
+  s.print();
+  if (out) {
+    std::string text = "distance_m,height_mm\n";
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      table::append_number(text, record.places().at(i), 12);
+      text += ',';
+      if (!std::isnan(heights[i])) table::append_number(text, heights[i] / millimetre, 7);
+      text += '\n';
+    }
+    out.add("heights.csv", text);
+    out.add("integrate.json", s.json());
+  }
+  out.commit();
+}
+
+}  // namespace
+
+tool::Tool integrate_tool() {
+  return {
+      "integrate", "heights of the track from one accelerometer", [](tool::OptionParser& o) {
+        auto options = std::make_shared<IntegrateOptions>();
+        options->record.columns = {"acceleration"};
+        tools::add_record_options(o, options->record);
+        o.quantity("--speed", options->speed, units::speed, "of the whole record", {0.1, 200});
+        o.text("--speed-column", options->speed_column, "the column that holds it");
+        o.text("--band", options->band, "of wavelengths: D0 to D3, or two of them, as 3m-35m");
+        o.out(options->out);
+        o.help(
+            std::string{tools::record_help} +
+            "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
+            "--unit "
+            "names, m/s^2 or g; positions are along the track, or with --resample put on a grid.\n"
+            "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
+            "empty near ends and gaps. Of an accelerometer on a body heights are the body's.\n"
+            "A constant error of the accelerometer leaves nothing in a band."
+            "\n\nExample: railbook filters integrate axlebox.csv --column az --speed 80km/h "
+            "--band 3m-25m --out mine");
+        return [options] { integrate(*options); };
+      }};
+}
+
+}  // namespace railbook::filters_tool
