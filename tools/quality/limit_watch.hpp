@@ -17,6 +17,8 @@
 
 namespace railbook::quality_tool {
 
+inline constexpr double standard_gauge = 56.5 * units::inch;
+
 // Gauge as a column gives it: 0 where it is whole, the nominal gauge (m) where it is the deviation from that; nothing where it is
 // neither, whose limits are not known.
 std::optional<double> gauge_datum(std::span<const double> piece, double nominal);

@@ -52,37 +52,36 @@ void Channel::finish() {
   if (watch_) watch_->finish();
 }
 
+// Each class allows less than the one below.
 double Channel::fra_class(std::size_t at) const {
-  double fra = std::nan("");
-  for (const Kept& kept : kept_) {
-    const quality::Section& s = kept.sections.all()[at];
+  double highest = std::nan("");
+  for (const Limit& limit : options_.fra_limits) {
+    const auto kept = std::ranges::find_if(
+        kept_, [&](const Kept& k) { return k.measure.is_like(limit.measure); });
+    if (limit.channel != column_.kind || kept == kept_.end() || !datum_ ||
+        !content_.for_measure(limit.measure))
+      continue;
+    const quality::Section& s = kept->sections.all()[at];
     if (s.samples == s.missing) continue;
-    const auto judge = [&](const quality::FraLimit& limit) {
-      fra = std::fmin(fra, quality::fra_class(limit, s.largest()));
-    };
-    if (kept.name == "chord")
-      judge(column_.kind == Kind::level ? quality::fra::profile : quality::fra::alinement);
-    if (kept.name == "warp") judge(quality::fra::warp);
-    if (kept.name.empty() && column_.kind == Kind::crosslevel) judge(quality::fra::crosslevel);
-    if (kept.name.empty() && column_.kind == Kind::gauge && datum_)
-      fra = s.lowest + *datum_ < quality::fra::least_gauge
-                ? 0
-                : quality::fra_class(quality::fra::gauge, s.highest + *datum_);
+    const bool allowed = s.lowest + *datum_ >= limit.low && s.highest + *datum_ <= limit.high;
+    highest = std::fmin(highest, allowed ? fra_classes : std::stoi(limit.track_class) - 1);
   }
-  return fra;
+  return highest;
 }
 
 void Channel::begin(std::span<const double> piece, const records::RecordStream& record) {
   using quality::Measure;
   const auto place = [&record](std::size_t i) { return record.places().at(i); };
+  // A measure of the rail that a column may hold already.
   const auto keep = [&](const std::string& name, const Measure& measure) {
-    Kept& kept = kept_.emplace_back(Kept{name, quality::Sections{options_.section, place}});
+    Kept& kept =
+        kept_.emplace_back(Kept{name, measure, quality::Sections{options_.section, place}});
     kept.stream = std::make_unique<quality::MeasureStream>(
-        measure, static_cast<int>(options_.passes), record.spacing(),
-        [&kept](std::span<const double> values) { kept.sections.push(values); });
+        content_.for_measure(measure).value_or(measure), static_cast<int>(options_.passes),
+        record.spacing(), [&kept](std::span<const double> values) { kept.sections.push(values); });
   };
   const bool rail = column_.kind <= Kind::alignment;
-  if (column_.kind == Kind::gauge) datum_ = gauge_datum(piece, quality::fra::nominal_gauge);
+  if (column_.kind == Kind::gauge) datum_ = gauge_datum(piece, standard_gauge);
   content_ = column_.content(options_, record.header());
   keep("", {});
   if (!options_.limits.empty())
@@ -95,23 +94,23 @@ void Channel::begin(std::span<const double> piece, const records::RecordStream& 
                                      : options_.bands;
   for (const std::string& band : bands) {
     const Measure measure{.kind = Measure::Kind::band, .band = filters::parse_band("bands", band)};
-    keep(band, content_.for_measure(measure).value_or(measure));
+    keep(band, measure);
   }
   if (rail && !content_.band) {
     const auto chord = [&](const std::string& text) {
       return Measure{.kind = Measure::Kind::chord, .chord = quality::parse_chord("chords", text)};
     };
-    if (const auto measure = content_.for_measure(chord("62ft"))) keep("chord", *measure);
+    if (content_.for_measure(chord("62ft"))) keep("chord", chord("62ft"));
     for (const std::string& text : options_.chords) {
       Measure measure = chord(text);
       if (options_.chord_mean)
         measure.mean = Measure::Mean::subtracted, measure.mean_length = *options_.chord_mean;
-      keep("chord_" + text, content_.for_measure(measure).value_or(measure));
+      keep("chord_" + text, measure);
     }
   }
   if (column_.kind == Kind::crosslevel) {
     keep("twist", {.kind = Measure::Kind::twist, .length = options_.twist_base});
-    keep("warp", {.kind = Measure::Kind::change, .length = 62 * units::foot});
+    keep("warp", {.kind = Measure::Kind::change, .length = fra_chord});
   }
 }
 

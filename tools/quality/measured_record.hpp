@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include <railbook/quality/fra_limits.hpp>
 #include <railbook/quality/measure.hpp>
 #include <railbook/quality/sections.hpp>
 #include <railbook/tool/options.hpp>
@@ -24,11 +23,14 @@
 
 namespace railbook::quality_tool {
 
+inline constexpr double fra_chord = 62 * units::foot;
+inline constexpr int fra_classes = 5;  // by which sections are judged
+
 struct MeasuresOptions {
   tools::TrackRecordOptions record;
   std::vector<std::string> alignment, bands{"D1", "D2"}, chords;
   std::string gauge, crosslevel;
-  double section = 200, twist_base = 3, nominal_gauge = quality::fra::nominal_gauge;
+  double section = 200, twist_base = 3, nominal_gauge = standard_gauge;
   std::optional<double> chord_mean;
   // What the columns of level and alignment are: offsets of this chord, filtered to this band ("by-name" too).
   std::string chord, filtered;
@@ -38,8 +40,9 @@ struct MeasuresOptions {
   std::optional<double> speed;
   tool::Destination out;
 
-  // Of a file, or of the FRA's class; read by measure_track().
-  std::vector<Limit> limits;
+  // Those that are watched, of a file or of the FRA's class, and the FRA's of classes 1 to 5, in their order; read by
+  // measure_track().
+  std::vector<Limit> limits, fra_limits;
 };
 
 struct Column {
@@ -52,6 +55,7 @@ struct Column {
 // What is kept of a column: the channel itself or a filtered one, section by section.
 struct Kept {
   std::string name;  // "D1"; empty for the channel as it is
+  quality::Measure measure;
   quality::Sections sections;
   std::unique_ptr<quality::MeasureStream> stream = {};
 };
@@ -73,8 +77,8 @@ class Channel {
   // How far from a sample the FRA's measure of it reaches, m.
   double reach() const {
     return column_.kind == Kind::gauge        ? 0
-           : column_.kind == Kind::crosslevel ? quality::fra::profile.chord
-                                              : 0.5 * quality::fra::profile.chord;
+           : column_.kind == Kind::crosslevel ? fra_chord
+                                              : 0.5 * fra_chord;
   }
 
   // The highest FRA class that what is kept of a section allows; NaN where it holds nothing that can be judged.
@@ -86,8 +90,8 @@ class Channel {
   const MeasuresOptions& options_;
   Column column_;
   ColumnContent content_;
-  std::deque<Kept> kept_;        // references to them are kept
-  std::optional<double> datum_;  // of gauge
+  std::deque<Kept> kept_;              // references to them are kept
+  std::optional<double> datum_ = 0.0;  // of gauge
   std::optional<LimitWatch> watch_;
 };
 

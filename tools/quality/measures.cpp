@@ -34,6 +34,10 @@ classes 6 to 9.
 namespace railbook::quality_tool {
 namespace {
 
+std::vector<Limit> fra_limits(const std::vector<std::string>& classes) {
+  return read_limits(tools::scripts("quality") / "fra-49-cfr-213.csv", classes, std::nullopt);
+}
+
 // Of the FRA's class or of a file; none where neither is asked for.
 std::vector<Limit> limits_of(const MeasuresOptions& options) {
   const bool fra = options.fra_class > 0, file = !options.limits_file.empty();
@@ -41,9 +45,7 @@ std::vector<Limit> limits_of(const MeasuresOptions& options) {
     throw InputError{"fra class and limits are given; allowed: one of --fra-class and --limits"};
   if (!file && (!options.classes.empty() || options.speed))
     throw InputError{"class and speed are of limits; allowed: with --limits FILE"};
-  if (fra)
-    return read_limits(tools::scripts("quality") / "fra-49-cfr-213.csv",
-                       {std::to_string(options.fra_class)}, std::nullopt);
+  if (fra) return fra_limits({std::to_string(options.fra_class)});
   return file ? read_limits(options.limits_file, options.classes, options.speed)
               : std::vector<Limit>{};
 }
@@ -77,6 +79,7 @@ void measure_track(MeasuresOptions options) {
   if (!options.chord.empty() && !options.filtered.empty())
     throw InputError{"chord and filtered are given; allowed: one of them"};
   options.limits = limits_of(options);
+  options.fra_limits = fra_limits({"1", "2", "3", "4", "5"});
   require_columns(options);
   if (options.record.batch.many())
     return tool::run_batch(options.record.batch, options.out, "measures", [&](const auto& file) {

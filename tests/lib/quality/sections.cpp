@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <railbook/quality/exceptions.hpp>
-#include <railbook/quality/fra_limits.hpp>
 #include <railbook/spectra/reference_spectra.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -92,38 +91,6 @@ TEST_CASE("unit: twist, combined deviation and China's index, by hand") {
   CHECK_THROWS_AS(quality::combined_deviation(four, std::array{1.0}), InputError);
   const std::array<double, 7> seven{2.07, 2.07, 1.99, 1.99, 1.17, 1.60, 1.23};
   CHECK(quality::track_quality_index(seven) == Approx(12.12));
-}
-
-TEST_CASE("unit: the highest class that keeps a limit") {
-  using namespace quality;
-  CHECK(fra_class(fra::profile, 1.25 * fra::inch) == 5);
-  CHECK(fra_class(fra::profile, 1.26 * fra::inch) == 4);
-  CHECK(fra_class(fra::profile, 2.5 * fra::inch) == 2);
-  CHECK(fra_class(fra::profile, 3.1 * fra::inch) == 0);
-  CHECK(fra_class(fra::alinement, 1.6 * fra::inch) == 3);
-}
-
-TEST_CASE("unit: limits are whole eighths of an inch, and no higher class allows more") {
-  using namespace quality;
-  const auto check = [](const auto& limit) {
-    for (std::size_t i = 0; i < limit.size(); ++i) {
-      const double eighths = 8 * limit[i] / fra::inch;
-      CHECK(std::abs(eighths - std::round(eighths)) < 1e-9);
-      CHECK(eighths >= 4);
-      CHECK(eighths <= 40);
-      if (i > 0) CHECK(limit[i] <= limit[i - 1]);
-    }
-  };
-  for (const FraLimit& row : {fra::profile, fra::alinement, fra::crosslevel, fra::warp}) {
-    check(row.limit);
-    CHECK((row.chord == 0 || row.chord == 62 * fra::feet));
-  }
-  for (std::size_t i = 0; i < fra::uniformity.size(); ++i) {
-    check(fra::uniformity[i].limit);
-    CHECK(fra::uniformity[i].chord == 31 * fra::feet * std::pow(2, i));
-    for (std::size_t k = 0; i > 0 && k < 4; ++k)  // a longer chord sees more
-      CHECK(fra::uniformity[i].limit[k] >= fra::uniformity[i - 1].limit[k]);
-  }
 }
 
 TEST_CASE("unit: exceptions are runs beyond the limit, on one side, ended by a gap") {

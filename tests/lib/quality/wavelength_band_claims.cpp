@@ -8,7 +8,6 @@
 #include <railbook/filters/inner_filter.hpp>
 #include <railbook/filters/wavelength_band.hpp>
 #include <railbook/quality/alignment.hpp>
-#include <railbook/quality/fra_limits.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "support/claim.hpp"
@@ -186,16 +185,4 @@ TEST_CASE("claim: two runs laid on each other") {
           (std::abs(a.offset) + std::abs(b.offset))));
     }
   }
-}
-
-TEST_CASE("claim: classes of the safety standards") {
-  Claim classes("quality::fra_class");
-  RandomStream draw(84);
-  for (const FraLimit& limit : {fra::profile, fra::alinement, fra::crosslevel, fra::warp})
-    for (int k = 0; k < 250; ++k) {
-      const double magnitude = k % 5 ? draw(0, 0.2) : limit.limit[std::size_t(k / 5 % 5)];
-      int kept = 5;  // the highest class whose limit is not exceeded
-      while (kept > 0 && magnitude > limit.limit[std::size_t(kept - 1)]) --kept;
-      classes.error(fra_class(limit, magnitude) == kept ? 0 : 1);
-    }
 }
