@@ -15,8 +15,9 @@ equations, solid where *every* small disturbance dies out; how it is found comes
 {{fig-11}}
 
 The [figure at the head of the page](#live-hunting) draws both for any speed, with the
-*multipliers*: the factors by which small disturbances of the cycle grow. From {{torus-speed}} on a
-pair of them lies outside the unit circle, although nothing changes in the cycle itself.
+*multipliers*: the factors by which small disturbances of the cycle grow in half a period. From
+{{torus-speed}} on a pair of them lies outside the unit circle, although nothing changes in the
+cycle itself.
 
 With new wheels the branch of the describing functions runs far to the right once the flange is met,
 at {{flange-new}}. {{stability-range}} shows how much of it is stable by the full equations, and on

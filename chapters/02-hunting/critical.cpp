@@ -12,8 +12,8 @@ forces contain $1/V$ only, so the matrix of the linear car is a fixed part plus 
 The same holds for the *bialternate sum*, a matrix of 153 rows whose eigenvalues are all sums of two
 eigenvalues of the car. It is singular exactly where two eigenvalues are opposite, as $i\omega$ and
 $-i\omega$ are, so that its own eigenvalue problem in $1/V$ gives all critical speeds at once.
-`pair_sums` forms it: each pair of coordinates `r` and `s` is a column, and the matrix `a` acts on
-one of the two at a time.
+`pair_sums` forms it: each pair of states `r` and `s` is a column, and the matrix `a` acts on one of
+the two at a time.
 
 {{code: vehicle/linear_stability.cpp pair_sums}}
 
@@ -27,20 +27,20 @@ round. The middle of the body is then nearly at rest, but its ends move with the
 of the truck's motion with CN wheels, {{end-heumann}} with Heumann wheels).
 
 **The dampers are fitted.** For this part the paper replaces friction by dampers, "assuming constant
-amplitudes and frequency" that it does not give. Ours are (12) for a travel $A_c$ or an angle
-$\theta_c$ at the frequency $\omega_c$, so they depend on two numbers: the rate $\omega_cA_c$ of the
-translations and the rate $\omega_c\theta_c$ of the rotations. Pairs that give
-145 ft/s with new wheels lie on two stretches of a curve. On one the frequency is {{upper-omega}},
-on the other {{lower-omega}}. The printed 12 rad/s therefore choose the first, from
-$\omega_c\theta_c$ = {{fit-low}} on. There the frequency with CN wheels is {{fit-cn}}, and the paper
-prints 21. All other results use 20 rad/s with 0.5 in and 0.003 rad.
+amplitudes and frequency" that it does not give. Ours damp as (12) does at the frequency $\omega_c$,
+for a travel $A_c$ of the translations and an angle $\theta_c$ of the rotations. So they depend on
+two rates, $\omega_cA_c$ and $\omega_c\theta_c$. The pairs of rates that give 145 ft/s with new
+wheels lie on two stretches of a curve. On one stretch the frequency is {{upper-omega}}, on the
+other {{lower-omega}}. The printed 12 rad/s choose the first, from $\omega_c\theta_c$ = {{fit-low}}
+on. There the frequency with CN wheels is {{fit-cn}}, and the paper prints 21. All other results use
+20 rad/s with 0.5 in and 0.003 rad.
 
 **Do CN wheels lower the critical speed?** The paper says that it is "much lower". With the dampers
 of that stretch the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels:
 a tenth lower at one end, as high or higher at the other. It is much lower only with dampers that
 put the frequency with new wheels at {{lower-omega}}. The printed frequencies speak against it as
-well. A truck that is held square moves at $\omega\propto V\sqrt\lambda$; with three times the
-conicity, 21 instead of 12 rad/s need about the same speed.
+well: a truck that is held square moves at $\omega\propto V\sqrt\lambda$, so with three times the
+conicity it comes to 21 instead of 12 rad/s at about the same speed.
 
 {{dampers: checks}}
 

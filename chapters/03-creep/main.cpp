@@ -139,9 +139,9 @@ everything that is listed above the synthetic experiment.
   friction does to the solver.
 * **The "actual area"** puts shape and roughness of a worn wheel into one number.
 
-What each theory costs and where the solver stops is on the [second page](03-creep-study.html).
-{{curve-time-answer}} In a trial with random cases, {{covered}} came out within the error that the full
-theory states.
+What each theory costs and where the solver stops is on the [second page](03-creep-study.html),
+which explains their names. {{curve-time-answer}} In a trial with random cases, {{covered}} came out
+within the error that the full theory states.
 
 ## Use it
 

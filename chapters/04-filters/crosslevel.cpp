@@ -44,6 +44,7 @@ moves sideways with this roll because it sits above the plane of the rails.
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
@@ -113,8 +114,9 @@ void table_corrections(report::Item& item) {
     less.corrections.*which = false;
     const double with = rms_error(whole, t, parameter) / mm;
     const double without = rms_error(reconstruct(record, less), t, parameter) / mm;
-    item.add_row(what, std::string(parameter_list()[static_cast<std::size_t>(parameter)].name),
-                 with, without);
+    std::string name(parameter_list()[static_cast<std::size_t>(parameter)].name);
+    std::ranges::replace(name, '_', ' ');
+    item.add_row(what, name, with, without);
     item.consistent(id, fmt::format("correction needed: {}", what), without > with,
                     fmt::format("{:.3g} mm with it, {:.3g} without", with, without),
                     "shown on a model");

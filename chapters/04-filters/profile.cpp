@@ -88,7 +88,7 @@ void chords(report::Item& item) {
   double worst = 0;
   for (const double w : {20.0, 39.0, 62.0, 100.0, 150.0, 200.0, 500.0}) {
     item.add_row(w, 1 - std::cos(2 * units::pi / w), long_chord_gain(2 * w, 31),
-                 long_chord_gain(w, 31), long_chord_gain(w, 62));
+                 long_chord_gain(w, 31), std::max(0.0, long_chord_gain(w, 62)));
     for (const int half : {5, 10, 31, 50, 62})
       worst = std::max(
           worst, std::abs(long_chord_gain(w, half) - (1 - std::cos(2 * units::pi * half / w))));

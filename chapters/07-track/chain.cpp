@@ -19,9 +19,6 @@ separate springs cannot show.
 
 {{fig-02}}
 
-{{fig-02}} is drawn to scale from the numbers of the typical track below. The chain of springs
-beside the track has half the stiffness of ballast and subgrade, as in (4).
-
 The model assumes that only a pyramid of the ballast carries load. Its sides are at the friction
 angle $\alpha$ (20° in the paper) to the vertical, and at each depth the pressure is uniform. The
 subgrade is a bed of springs $K_0$ below the pyramid's base:
@@ -182,7 +179,8 @@ const report::Section chain{
     report::figure("fig-02",
                    "Under each rail seat stands a chain of springs. A wheel on a rail, its ties "
                    "and the pyramids of ballast that carry them, and the springs that they become, "
-                   "to scale (in place of the paper's Fig. 2).",
+                   "half of ballast and subgrade as in (4); to scale, from the numbers of the "
+                   "typical track below (in place of the paper's Fig. 2).",
                    draw_steps),
     report::table("chain",
                   "The subgrade is the softest spring. The stiffness chain of the typical track, "

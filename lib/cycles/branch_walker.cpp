@@ -142,10 +142,11 @@ LimitCycle BranchWalker::describe(const BranchPoint& p, double slope) {
 
 // Ends a closed branch with its first point: from the guess x across the direction t, or with
 // `point` where that does not converge.
-void BranchWalker::close(VectorXd x, const VectorXd& t, double slope, LimitCycle point) {
+bool BranchWalker::close(VectorXd x, const VectorXd& t, double slope, LimitCycle point) {
   branch.stop = BranchStop::closed;
   if (solver.correct(x, t, t.dot(x))) point = describe(solver.place(x), slope);
   branch.points.push_back(std::move(point));
+  return true;
 }
 
 bool BranchWalker::advance() {
@@ -163,10 +164,8 @@ bool BranchWalker::advance() {
     along_ = solver.direction(next);
     LimitCycle point = describe(at_, next[next.size() - 1]);
     find_special(from, t, next, point, std::exchange(orientation_, orientation) * orientation < 0);
-    if (const double part = part_to_first(point); part > 0) {
-      close(from + part * step_ * t, t, next[next.size() - 1], std::move(point));
-      return true;
-    }
+    if (const double part = part_to_first(point); part > 0)
+      return close(from + part * step_ * t, t, next[next.size() - 1], std::move(point));
     if (settle()) {
       point = describe(at_, slope(along_));
       orientation_ = 0;

@@ -32,7 +32,7 @@ class BranchWalker {
 
  private:
   bool advance();
-  void close(Eigen::VectorXd x, const Eigen::VectorXd& t, double slope, LimitCycle point);
+  bool close(Eigen::VectorXd x, const Eigen::VectorXd& t, double slope, LimitCycle point);
 
   // Adapts the harmonics at the present place. True when they changed.
   bool settle();
