@@ -21,8 +21,9 @@ formulas do not hold.
 2. What does a wheel carry on the jump of the radius? For an approach of 0.005 in the paper prints a
    force of 34 072 lbf and a moment about the jump of −5365 in·lbf. We find {{grid-force}}
    ({{off-f}}) and {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our
-   text of the paper, is 12.34 in; exactly the printed numbers follow from {{force-tread}} and
-   {{moment-tread}}. {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
+   text of the paper, is 12.34 in; the printed force itself follows from {{force-tread}}, the
+   printed moment from {{moment-tread}}. {{outcome:example-2/F-printed}}
+   {{outcome:example-2/M-printed}}
 3. The contact region is found step by step. Does it only shrink on the way? "The new candidate
    contact boundary will be inside the old one", says the paper. This is true on every mesh that we
    tried until the region comes within {{outward-margin}} of the contact. A program that forbids
