@@ -124,7 +124,7 @@ std::vector<Point> one_body(const std::vector<Point>& p, CheckedPoints& checked)
   begins.push_back(p.size());
   const double highest = *std::ranges::max_element(tops);
   const std::size_t kept = std::size_t(
-      std::ranges::find_if(tops, [&](double z) { return z > highest - level; }) - tops.begin());
+      std::ranges::find_if(tops, [&](double z) { return z >= highest - level; }) - tops.begin());
   for (std::size_t k = 0; k < tops.size(); ++k) {
     if (k == kept) continue;
     const auto [low, high] =
