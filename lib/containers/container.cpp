@@ -42,6 +42,7 @@ std::vector<Table> tables_of(const Contents& contents, const std::string* group)
   for (const DataSet& set : contents.sets)
     if (group == nullptr || set.group == *group) tables[{set.group, set.rows}].push_back(&set);
   std::vector<Table> result;
+  result.reserve(tables.size());
   for (auto& [key, table] : tables) result.push_back(std::move(table));
   return result;
 }
@@ -125,7 +126,16 @@ std::string header_of_column(const Column& column) {
 std::string headers(const Table& table) {
   std::vector<std::string> names;
   for (const DataSet* set : table)
-    for (const Column& column : set->columns) names.push_back(header_of_column(column));
+    for (const Column& column : set->columns) {
+      // Of channels that are groups, "left/data" and "right/data", the group says which.
+      const bool twice = std::any_of(table.begin(), table.end(), [&](const DataSet* other) {
+        return other != set && std::any_of(other->columns.begin(), other->columns.end(),
+                                           [&](const Column& c) { return c.name == column.name; });
+      });
+      const std::string group = set->group.substr(set->group.rfind('/') + 1);
+      names.push_back(header_of_column(
+          twice && !group.empty() ? Column{group + "/" + column.name, column.unit} : column));
+    }
   const bool all_numbers = std::all_of(names.begin(), names.end(), [](const std::string& name) {
     return name.find_first_not_of("0123456789.+-eE") == std::string::npos;
   });

@@ -88,6 +88,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
                           {source.skip, source.header_lines, source.encoding, source.sheet,
                            source.dataset, source.decimal}};
   std::vector<std::size_t> column;
+  column.reserve(columns.size());
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
   const auto dimension = [&](std::size_t i) {
     return source.dimensions.empty() ? units::length : source.dimensions[i];
@@ -110,6 +111,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     pending = false;
   }
   std::vector<double> metre;
+  metre.reserve(columns.size());
   for (std::size_t i = 0; i < column.size(); ++i)
     metre.push_back(metres(reader.header()[column[i]], below[column[i]],
                            i == 0 || source.dimensions.empty() ? source.unit : "", "--unit",

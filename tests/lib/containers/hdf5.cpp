@@ -198,6 +198,13 @@ TEST_CASE("hdf5: several tables are listed, and lengths that differ are refused"
   CHECK_THROWS_WITH(text_of(file, "run/2"), Contains("several lengths"));
   CHECK_THROWS_WITH(text_of(file, "run/1,run/2/y"), Contains("have 2 and 4 rows"));
   CHECK(text_of(file, "run/2/y") == "y\n1\n2\n3\n4\n");
+  {
+    Writer w(file);
+    Writer::text(w.doubles("/channels/level_l/data", {1, 2}), "Unit", {"Millimeter"});
+    Writer::text(w.doubles("/channels/level_r/data", {3, 4}), "Unit", {"Millimeter"});
+  }
+  CHECK(text_of(file, "channels/level_l,channels/level_r") ==
+        "level_l/data [Millimeter],level_r/data [Millimeter]\n1,3\n2,4\n");
 }
 
 TEST_CASE("hdf5: no number comes from another file, nor from a filter that is not there") {
