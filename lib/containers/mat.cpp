@@ -1,9 +1,12 @@
 // MATLAB's files of version 4 and 5 to 7.
 #include <matio.h>
 
-#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <railbook/containers/container.hpp>
@@ -126,6 +129,27 @@ class Reader {
   Contents& contents_;
 };
 
+// Version 5 to 7 is a row of elements with their lengths; the library takes one that is cut off for
+// the end of the file.
+void require_whole(const std::filesystem::path& file) {
+  constexpr std::uint32_t compressed = 15;
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  std::ifstream in{file, std::ios::binary};
+  std::array<char, 128> header{};
+  in.read(header.data(), std::ssize(header));
+  const std::string_view order{header.data() + 126, 2};
+  if (order != "IM" && order != "MI") return;
+  for (std::uintmax_t at = header.size(); at < size;) {
+    std::array<std::uint32_t, 2> tag{};  // type and bytes
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(reinterpret_cast<char*>(tag.data()), sizeof tag);
+    if (order == "MI")
+      for (std::uint32_t& word : tag) word = __builtin_bswap32(word);
+    at += sizeof tag + tag[1] + (tag[0] == compressed ? 0 : -tag[1] % 8);
+    if (!in || at > size) throw InputError{"the MAT file is cut off, or damaged"};
+  }
+}
+
 }  // namespace
 
 Contents mat_contents(const std::filesystem::path& file) {
@@ -135,6 +159,7 @@ Contents mat_contents(const std::filesystem::path& file) {
                 }};
   if (!mat || Mat_GetVersion(mat.get()) == MAT_FT_MAT73)
     throw InputError{"it is no MAT file, or a damaged one"};
+  require_whole(file);
   Contents contents;
   Reader reader{mat, contents};
   while (matvar_t* const v = Mat_VarReadNextInfo(mat.get())) {

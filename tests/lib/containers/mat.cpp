@@ -130,6 +130,11 @@ TEST_CASE("property: whatever byte of a MAT file is changed, it is read or refus
     write(file, version, version == MAT_FT_MAT5 ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE,
           {doubles("x", 40, 1, values), doubles("y", 20, 2, values)});
     const std::string good = folder.read("a.mat");
+    CHECK_NOTHROW(table::CsvReader(file, {.dataset = "x"}));
+    for (std::size_t cut = 1; version == MAT_FT_MAT5 && cut < good.size() - 128; cut += 7) {
+      const auto bad = folder.write("cut.mat", good.substr(0, good.size() - cut));
+      CHECK_THROWS_WITH(table::CsvReader(bad, {.dataset = "x"}), Contains("cut off"));
+    }
     for (std::size_t i = 0; i < good.size(); i += 17) {
       std::string bad = good;
       bad[i] = static_cast<char>(bad[i] ^ (1 << i % 8));
