@@ -153,7 +153,7 @@ void require_whole(const std::filesystem::path& file) {
 }  // namespace
 
 Contents mat_contents(const std::filesystem::path& file) {
-  Mat_LogInitFunc("containers", [](int, char*) {});
+  Mat_LogInitFunc("containers", [](int, auto*) {});
   const Mat mat{Mat_Open(file.c_str(), MAT_ACC_RDONLY), [](mat_t* m) {
                   if (m != nullptr) Mat_Close(m);
                 }};
