@@ -155,10 +155,6 @@ function drawings.prepared(svg)
     end)
   end
   if not svg:find("<title>Gnuplot</title>", 1, true) then return svg end
-  svg = svg:gsub("<polygon fill = ('[^']*')([^>]-) points = '([^']*)'/>", function(fill, opacity, points)
-    local rest = opacity:gsub(" = '(%d%.%d-)0*'", "='%1'")
-    return "<path fill=" .. fill .. rest .. " d='M " .. points:gsub("%s+", " L "):gsub(" L $", "") .. " Z'/>"
-  end)
   svg = svg:gsub("xlink:href='#gp", "href='#gp")
   svg = svg:gsub(" d='([^']*)'", function(d) return " d='" .. path(d) .. "'" end)
   svg = svg:gsub("<polygon fill = ('[^']*')([^>]-) points = '([^']*)'/>", function(fill, attributes, points)

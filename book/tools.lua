@@ -120,11 +120,11 @@ local function index(doc)
   return html.table("commands", {"question", "command"}, rows)
 end
 
--- The document python.md, its examples folded.
-local function from_python(folder, book, chapters)
-  local text = document(folder, book, "python.md", chapters)
-  local first = text:find("<h3", 1, true)
-  return text:sub(1, first - 1) .. html.tag("details", {class = "more"}, html.tag("summary", nil, "Six examples with what they print") .. text:sub(first))
+-- A document of the folder, folded from a heading on: its first one, or the one that `from` says.
+local function folded(folder, book, name, chapters, summary, from)
+  local text = document(folder, book, name, chapters)
+  local at = text:find("<h3" .. (from or ""), 1)
+  return text:sub(1, at - 1) .. html.tag("details", {class = "more"}, html.tag("summary", nil, summary) .. text:sub(at))
 end
 
 -- The page, from the documents of the folder, in the book that is made in the folder `book`.
@@ -132,8 +132,9 @@ function tools.page(folder, book, chapters)
   local by_id = {}
   for _, c in ipairs(chapters) do by_id[c.id] = c end
   local commands, doc = document(folder, book, "commands.md", by_id)
-  return table.concat({index(doc), (document(folder, book, "own-data.md", by_id)), html.tag("h2", {id = "commands"}, "Commands"), commands,
-    (document(folder, book, "many-records.md", by_id)), from_python(folder, book, by_id)}, "\n")
+  return table.concat({index(doc), folded(folder, book, "own-data.md", by_id, "Files of profiles, cars and sensors", ' id="files%-of%-profiles'), html.tag("h2", {id = "commands"}, "Commands"), commands,
+    folded(folder, book, "many-records.md", by_id, "Several processors, and what it costs"),
+    folded(folder, book, "python.md", by_id, "Six examples with what they print")}, "\n")
 end
 
 return tools
