@@ -73,12 +73,12 @@ void add_column(tool::Summary& s, const CompareOptions& options, const Grown& g,
   const std::string tampings = places_of(g, options, Begin::tamped, tamped);
   std::vector<std::size_t> judged;
   bool error = false;
-  std::size_t certain = 0;
+  std::size_t growing = 0;
   for (std::size_t i = 0; i < g.sections.size(); ++i)
     if (const quality::Period* last = g.last(i)) {
       judged.push_back(i);
       error = error || last->runs.size() > 2;
-      certain += last->growth.low > 0 ? 1 : 0;
+      growing += last->growth.low > 0 ? 1 : 0;
     }
   s.add(key("sections"), before + "sections", static_cast<double>(g.sections.size()), "",
         fmt::format("of {:g} m", options.section));
@@ -96,7 +96,7 @@ void add_column(tool::Summary& s, const CompareOptions& options, const Grown& g,
   // Where some have a standard error, those without are no news.
   if (error) {
     std::erase_if(judged, [&](std::size_t i) { return g.last(i)->runs.size() < 3; });
-    s.add(key("certain"), "  above zero with 95 %", static_cast<double>(certain), "",
+    s.add(key("growing"), "  above zero with 95 %", static_cast<double>(growing), "",
           fmt::format("of {} with three runs or more", judged.size()));
   }
   for (std::size_t k = 0; k < std::min<std::size_t>(5, judged.size()); ++k) {

@@ -71,7 +71,7 @@ holds "growth a year" years/growth.csv '{since = $c["since"] " " $c["until"] " "
   END {near(whole, 12, 0); near(parts["first"], 3, 0); near(parts["tamped"], 3, 0)}' first="$1" last="$5"
 near "sections tamped" "$(v years tamped)" 3 0
 near "sections with a growth" "$(v years judged)" 15 0
-near "sections whose growth is above zero" "$(v years certain)" 12 0
+near "sections whose growth is above zero" "$(v years growing)" 12 0
 holds "deviations of runs" years/deviations.csv '{if ($c["left_out"] != "") {print $0; wrong++} off[$c["date"]] += $c["offset_m"] == "nan" ? 0 : $c["offset_m"] / 12} $1 == 1400 && $c["date"] == "2022-06-01" {near($c["correlation"], "nan", 0)}
   END {near(rows, 75, 0); near(off[last], 1461 / 500 * 15 / 12, 0.1)}' last="$5"
 # Two dates: a growth without an error, said so.
