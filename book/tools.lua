@@ -54,6 +54,10 @@ local function document(folder, book, name, chapters)
       return header
     end,
     RawBlock = function() return {} end,
+    Code = function(code) -- an option is not broken behind its hyphens
+      if #code.text <= 24 then code.classes:insert "short" end
+      return code
+    end,
     CodeBlock = function(code)
       if code.classes:includes "answer" then return pandoc.RawBlock("html", answer(code.text)) end
       return pandoc.RawBlock("html", html.tag("div", {class = "command"}, html.tag("pre", nil, html.tag("code", nil, html.escape(code.text)))))
