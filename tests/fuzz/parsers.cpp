@@ -22,6 +22,7 @@
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/quantity.hpp>
 
+#include "quality/limits_file.hpp"
 #include "support/workbook.hpp"
 
 using namespace railbook;
@@ -128,6 +129,12 @@ void parse(int which, std::string_view bytes) {
       static_cast<void>(table::read_table(file.name()));
       break;
     }
+    case 'l': {
+      const Held file(bytes);
+      for (const quality_tool::Limit& limit : quality_tool::read_limits(file.name(), {}, 25.0))
+        if (!(limit.low < limit.high)) wrong("a limit that nothing keeps");
+      break;
+    }
     case 'e':  // the first line is an encoding, or a data set: the program that reads it may fail
     case 'h': {
       const std::size_t end = std::min(bytes.find('\n'), bytes.size());
@@ -158,7 +165,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   try {
     const char first = static_cast<char>(data[0]);
-    const bool letter = first == 'y' || first == 'e' || first == 'h';
+    const bool letter = first == 'y' || first == 'e' || first == 'h' || first == 'l';
     parse(letter                         ? first
           : first == '8' || first == '9' ? first - '0'
                                          : data[0] % 8,
