@@ -16,9 +16,9 @@
 namespace railbook::records {
 
 struct RecordFile {
-  std::filesystem::path file = {};  // - is standard input
-  std::string column = "profile";   // by name, with or without its unit, or by number
-  std::string unit = {};            // if the header of the column names none
+  std::filesystem::path file = {};                // - is standard input
+  std::string column = "profile";                 // by name, with or without its unit, or by number
+  std::string unit = {};                          // if the header of the column names none
   std::vector<units::Dimension> dimensions = {};  // of the columns read; left out: lengths
   std::string distance =
       "distance";  // column of positions, or two that add up, "km+m"; read where they are
