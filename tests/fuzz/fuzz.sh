@@ -9,7 +9,7 @@ flags=(-std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recov
   -ffp-exception-behavior=maytrap -Ibuild/include -Itests -Itools -isystem /usr/include/eigen3)
 "$clang" "${flags[@]}" tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
   lib/profiles/{field_profile,miniprof,simpack,vampire,plain_profile,profile_points}.cpp \
-  tools/quality/limits_file.cpp lib/{quality,filters,spectra,num}/*.cpp \
+  tools/quality/limits_file.cpp lib/{quality,filters,records,spectra,num}/*.cpp \
   -lfmt -lz -lgsl -lgslcblas -lfftw3_threads -lfftw3 -o build/fuzz/parsers
 build/fuzz/parsers -max_total_time="${1:-60}" -timeout=10 -rss_limit_mb=4096 -max_len=4096 -print_final_stats=1 \
   -artifact_prefix=build/fuzz/ build/fuzz/found tests/fuzz/corpus
