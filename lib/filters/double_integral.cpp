@@ -1,12 +1,10 @@
 #include <railbook/filters/double_integral.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include <railbook/filters/inner_filter.hpp>
-#include <railbook/num/fft.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 

@@ -10,7 +10,7 @@
 // - X and the height is -Y; of a rail X grows to the gauge side and Y is the height, as in four
 // public rails: one leans by 1:40 to that side, one has a guard rail there, and the inputs of the
 // program CONTACT (Vollebregt), whose y is outward, mirror all of them that they use. Source
-// otherwise: its public reader. Heights that are the other way round are told by the shape.
+// otherwise: its public reader. The shape shows heights that are the other way round.
 #include <fmt/format.h>
 
 #include <algorithm>

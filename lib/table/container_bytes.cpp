@@ -69,7 +69,8 @@ class ReaderOutput : public ByteSource {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, output_end, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, messages_end, STDERR_FILENO);
-    // A plain environment: libraries are told nothing by it. Signals act as they do by default.
+    // A plain environment, so that no variable changes what the libraries do. Signals act as by
+    // default.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t all, none;

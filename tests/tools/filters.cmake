@@ -132,3 +132,10 @@ refuses(filters "a speed that is an acceleration" "has the unit m/s.2. allowed: 
 refuses(filters "an acceleration that is a speed" "has the unit m/s. allowed: an acceleration" integrate ${axlebox} --column speed --speed 20m/s)
 refuses(filters "a band longer than the record" "record is 600 m long.*allowed: more than 1200 m" integrate ${axlebox} --speed 20m/s --band 3m-150m)
 refuses(filters "a band too fine" "shortest wavelength of the band is 1" integrate ${axlebox} --speed 20m/s --band 1m-3m)
+refuses(filters "a screen of accelerations" "screen judges heights" integrate ${axlebox} --speed 20m/s --screen outliers)
+# A code for lost samples in an acceleration is warned of by its place, and left out when it is named.
+add_test(NAME "tool: filters integrate warns of a code"
+         COMMAND sh -c "awk -v h='distance_m,az_m/s^2' -v u=1 '${wave}' | awk -F, -v OFS=, 'NR==602||NR==603{$2=-9999} 1' >$1-code.csv && $0 filters integrate $1-code.csv --column az --speed 20m/s && $0 filters integrate $1-code.csv --column az --speed 20m/s --missing -9999"
+                 $<TARGET_FILE:railbook> ${folder}/filters-wave)
+set_tests_properties("tool: filters integrate warns of a code" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "WARNING: the acceleration is -9999 m/s.2 at 300 m, over 100 times its median.*heights in [^W]*rms +1\\.41[0-9] mm")

@@ -10,9 +10,9 @@ twice, along the track and without phase, in a band of wavelengths. At a speed `
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,16 +42,19 @@ struct IntegrateOptions {
 
 struct Motion {
   std::vector<double> acceleration, speed;  // m/s^2, m/s
-  std::unique_ptr<const records::RecordStream> record;
+  tools::Records records;                   // of both
   double slowest = units::infinity, fastest = 0;
 };
 
 Motion read(const IntegrateOptions& options) {
   if (options.speed.has_value() == !options.speed_column.empty())
     throw InputError{"speed: give --speed, or its column with --speed-column"};
+  if (options.record.screen != std::vector<std::string>{"codes"})
+    throw InputError{
+        "screen judges heights; allowed: left out for accelerations (--missing -9999 names a "
+        "code)"};
   records::RecordFile file = tools::record_file(options.record, options.record.batch.only());
-  file.screening = {
-      .codes = false, .outliers = false, .stuck = false, .steps = false};  // those are of heights
+  file.screening = {.codes = false, .outliers = false, .stuck = false, .steps = false};
   std::vector<std::string> columns = options.record.columns;
   if (columns.size() != 1)
     throw InputError{fmt::format("{} columns of acceleration; allowed: one", columns.size())};
@@ -68,7 +71,7 @@ Motion read(const IntegrateOptions& options) {
     file.dimensions.push_back(units::speed);
     sinks.push_back(into(motion.speed));
   }
-  motion.record = std::move(records::read_records(file, columns, sinks).front());
+  motion.records = records::read_records(file, columns, sinks);
   if (options.speed) motion.speed.assign(motion.acceleration.size(), *options.speed);
   for (const double v : motion.speed) {
     if (std::isnan(v)) continue;
@@ -93,6 +96,37 @@ double smallest_step(std::vector<double> values) {
   return std::isinf(step) ? 0 : step;
 }
 
+// Codes for lost samples are as large as no neighbour: the first sample of over a hundred times the median, if any.
+std::optional<std::size_t> far_off(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  for (const double v : values)
+    if (!std::isnan(v)) sizes.push_back(std::abs(v));
+  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const auto found = std::ranges::find_if(
+      values, [limit = 100 * *middle](double v) { return limit > 0 && std::abs(v) > limit; });
+  return found == values.end() ? std::nullopt : std::optional{std::size_t(found - values.begin())};
+}
+
+// What the reading says of places and samples. What it says of values is meant for heights, in metres.
+void add_warnings(tool::Summary& s, const Motion& motion) {
+  constexpr std::array of_samples{"counted", "unplaced", "kilometre",
+                                  "bridged", "spacing",  "still"};
+  for (std::size_t i = 0; i < motion.records.size(); ++i)
+    for (const units::Warning& warning : motion.records[i]->warnings()) {
+      const std::string what = i == 0 ? "acceleration" : "speed", key = what + "_" + warning.key;
+      if (warning.key == "resampled")
+        s.warn(key, what + ": straight lines between the samples, at the spacing of --resample");
+      else if (std::ranges::find(of_samples, warning.key) != of_samples.end())
+        s.warn(key, what + ": " + warning.text);
+    }
+  if (const auto at = far_off(motion.acceleration))
+    s.warn("far_off",
+           fmt::format("the acceleration is {:.4g} m/s^2 at {:g} m, over 100 times its median: a "
+                       "code for a lost sample? (--missing)",
+                       motion.acceleration[*at], motion.records[0]->places().at(*at)));
+}
+
 double rms(const std::vector<double>& values) {
   double squares = 0, n = 0;
   for (const double v : values)
@@ -104,7 +138,7 @@ void integrate(const IntegrateOptions& options) {
   tool::OutFolder out(options.out, {"heights.csv", "integrate.json"});
   const filters::Band band = filters::parse_band("band", options.band);
   const Motion motion = read(options);
-  const records::RecordStream& record = *motion.record;
+  const records::RecordStream& record = *motion.records.front();
   const double spacing = record.spacing();
   const std::vector<double> heights =
       filters::integrate_twice(motion.acceleration, motion.speed, band, spacing);
@@ -113,9 +147,7 @@ void integrate(const IntegrateOptions& options) {
   if (answered == 0)
     throw InputError{fmt::format(
         "the record is {:g} m long, or has gaps; allowed: more than {:g} m without a gap, four "
-        "times "
-        "the "
-        "longest wavelength of the band at each end{}",
+        "times the longest wavelength of the band at each end{}",
         spacing * static_cast<double>(heights.size()),
         2 * spacing * static_cast<double>(filters::double_integral_margin(band, spacing)),
         motion.fastest > motion.slowest ? ", and as much again where the speed changes" : "")};
@@ -135,6 +167,7 @@ void integrate(const IntegrateOptions& options) {
   const double left = std::max(change * change, change / 4);
   const double height = rms(heights);
   tool::Summary s{"heights in " + options.record.batch.only().string()};
+  add_warnings(s, motion);
   s.add("length_km", "length", spacing * static_cast<double>(heights.size()) / 1000, "km",
         fmt::format("{} samples, {} missing, {} bridged", record.samples(), record.missing(),
                     record.bridged()));
@@ -189,16 +222,17 @@ tool::Tool integrate_tool() {
         o.text("--speed-column", options->speed_column, "the column that holds it");
         o.text("--band", options->band, "of wavelengths: D0 to D3, or two of them, as 3m-35m");
         o.out(options->out);
-        o.help(
-            std::string{tools::record_help} +
-            "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
-            "--unit "
-            "names, m/s^2 or g; positions are along the track, or with --resample put on a grid.\n"
-            "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
-            "empty near ends and gaps. Of an accelerometer on a body heights are the body's.\n"
-            "A constant error of the accelerometer leaves nothing in a band."
-            "\n\nExample: railbook filters integrate axlebox.csv --column az --speed 80km/h "
-            "--band 3m-25m --out mine");
+        o.help(std::string{tools::record_help} +
+               "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
+               "--unit names, m/s^2 or g; positions are along the track, or with --resample put on "
+               "a grid.\n"
+               "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
+               "empty within four times its longest wave of ends and gaps;\n"
+               "beyond that, waves much longer than the band may still add 5 % of the rms. Of an "
+               "accelerometer on a body heights are the body's.\n"
+               "A constant error of the accelerometer leaves nothing in a band."
+               "\n\nExample: railbook filters integrate axlebox.csv --column az --speed 80km/h "
+               "--band 3m-25m --out mine");
         return [options] { integrate(*options); };
       }};
 }

@@ -169,7 +169,7 @@ void add_files(tool::OutFolder& out, const CompareOptions& options, const Compar
       warnings += tools::warning_rows(column.name, *column.records[k], fmt::format("{},", k + 1));
       if (!picture.empty()) picture += "\n\n";
       picture += fmt::format("distance_km,deviation_mm,{}\n",
-                             table::csv_cell(column.name + ", " + names[k]));
+                             table::csv_cell(column.name + ": " + names[k]));
       for (const quality::RunSection& section : column.runs[k].sections)
         for (const double at : {section.heights.from, section.heights.from + options.section})
           picture +=
