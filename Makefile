@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: cost accept-cost headline accept-digits accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: peers cost accept-cost headline accept-digits accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -89,6 +89,10 @@ bench: configure  ## the solvers beside the machine's limit, a plain way, and sc
 	@cmake --build $(BUILD) --target speed
 	@$(firstword $(wildcard /usr/bin/python3) python3) tests/bench/peers.py $(BUILD)/peers.json 2> /dev/null || echo '{}' > $(BUILD)/peers.json
 	@$(BUILD)/bin/speed $(BUILD)/bench.json $(BUILD)/peers.json
+
+peers: configure  ## reading records and filters beside md5sum, std::from_chars, numpy and scipy (RUNS=7; minutes, 1 GB): tests/peers/ratios.csv
+	@cmake --build $(BUILD) --target railbook from_chars
+	@RUNS=$(or $(RUNS),7) $(firstword $(wildcard /usr/bin/python3) python3) tests/peers/peers.py $(BUILD)/bin/railbook $(BUILD)/bin/from_chars tests/peers/ratios.csv
 
 format:           ## clang-format every source in place
 	@$(call wants,clang-format)

@@ -220,9 +220,22 @@ end
 function benchmarks.costs(folder)
   local rows = {}
   for _, row in ipairs(assert(csv.read(folder .. "/costs.csv"))) do
-    rows[#rows + 1] = {html.text(row.work), {tonumber(row.million_instructions) and html.text(("%.0f"):format(row.million_instructions)), class = "number"}}
+    local function number(cell) return {tonumber(cell) and html.text(("%.0f"):format(cell)) or "", class = "number"} end
+    rows[#rows + 1] = {html.text(row.work), number(row.million_instructions), number(row.transform_pairs)}
   end
-  return html.table("costs", {"work", "million instructions"}, rows)
+  return html.table("costs", {"work", "million instructions", "pairs of transforms"}, rows)
+end
+
+-- Processor time beside that of other programs, from tests/peers/ratios.csv in a folder.
+function benchmarks.peers(folder)
+  local rows, machine = {}, ""
+  for line in io.lines(folder .. "/ratios.csv") do machine = line:match("^# (.*, load at the start .*)$") or machine end
+  for _, row in ipairs(assert(csv.read(folder .. "/ratios.csv"))) do
+    local function number(cell) return {html.text(cell), class = "number"} end
+    rows[#rows + 1] = {html.text(row.work), html.text(row.peer), number(row.median), number(row.lowest .. " to " .. row.highest), number(row.runs)}
+  end
+  return html.tag("p", nil, "Measured on: " .. html.text(machine) .. ".")
+    .. html.table("peers", {"work", "beside", "ratio, median", "lowest to highest", "runs"}, rows)
 end
 
 return benchmarks

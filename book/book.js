@@ -324,7 +324,17 @@ all(".tools").forEach((tools) => tools.append(searchBox(), ...(document.querySel
 all("table.sortable").forEach(sortable);
 all(".filterable").forEach(filterable);
 all("pre").forEach(copyButton);
-all(".wide, pre, math[display=block], .equation > span").forEach((e) => { if (e.scrollWidth > e.clientWidth) e.tabIndex = 0; });
+// What is wider than the page can be reached by the keyboard, and fades at the edge behind which it goes on.
+const goesOn = (e) => e.classList.toggle("goes-on", e.scrollLeft + e.clientWidth < e.scrollWidth - 2);
+const scrollers = all(".wide, pre, math[display=block], .equation > span, figure.item > a");
+scrollers.forEach((e) => {
+  if (e.scrollWidth > e.clientWidth && e.localName !== "a") e.tabIndex = 0;
+  e.addEventListener("scroll", () => goesOn(e), {passive: true});
+});
+const edges = () => scrollers.forEach(goesOn);
+edges();
+addEventListener("resize", edges);
+addEventListener("toggle", edges, true);
 all(".numbers svg").forEach(oneStop);
 previews();
 symbolMeanings();

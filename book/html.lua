@@ -28,6 +28,18 @@ local function grouped(digits)
   return (digits:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", thin))
 end
 
+-- The units that stay on the line of their number.
+local units = {}
+for unit in ([[% mm cm m km µm ft in mil Hz kHz s ms µs ns min h N kN MN GN MPa GPa psi lb lbf mph rad mrad deg mg g W kW dB bits
+  mm² m² m/s m/s² km/h ft/s rad/s ft²]]):gmatch("%S+") do units[unit] = true end
+
+-- Is the text a unit, perhaps with a full stop or a comma behind it?
+function html.is_unit(text) return units[(text:gsub("[%p]+$", ""))] or text:find("^%%") ~= nil end
+
+local function keep_units(text)
+  return (text:gsub("(%d) ([^%s<&]+)", function(digit, unit) return html.is_unit(unit) and digit .. "\u{a0}" .. unit or nil end))
+end
+
 -- Plain text with its numbers as the book writes them: 0.005, 33 817.5, −3, 5 µs. Words of a paper, in quotation marks, stay as they are;
 -- so do names, file names and other numbers that touch letters.
 function html.tidy(text)
@@ -41,7 +53,7 @@ function html.tidy(text)
       return grouped(digits)
     end)
     part = part:gsub("(%d) ?u([sm])%f[%W]", "%1 µ%2")
-    return part:sub(2)
+    return keep_units(part):sub(2)
   end
   while at <= #text do
     local open, close
@@ -88,7 +100,7 @@ function html.number(text)
   if not number then return power_of_ten(html.escape(html.tidy(text))) end
   number = html.tidy((number:gsub("^-", "−"):gsub("^%+", "+")))
   local is_unit = #rest < 24 and not rest:find("%f[%w]%a%a%a%a%a%a+") and not rest:find("[%(%)\"]") and not rest:find("%s[+−-]?%.?%d")
-  if is_unit then return power_of_ten(html.escape(number)) .. html.unit(html.escape(rest)) end
+  if is_unit then return power_of_ten(html.escape(number)) .. html.unit(html.escape((rest:gsub("^ ", "\u{a0}")))) end
   return (power_of_ten(html.escape(html.tidy(number .. rest))):gsub("%^(-?)(%d+)", function(sign, power)
     return "<sup>" .. (sign == "-" and "−" or "") .. power .. "</sup>"
   end))

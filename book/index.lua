@@ -231,6 +231,7 @@ function Pandoc(doc)
     ["{{claims}}"] = function() return overview.claims(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/claims.csv") end,
     ["{{benchmarks}}"] = function() return benchmarks.all(records) end,
     ["{{costs}}"] = function() return benchmarks.costs(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/cost") end,
+    ["{{peers}}"] = function() return benchmarks.peers(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/peers") end,
     ["{{library}}"] = function() return library_page end,
   }
   local here = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$")

@@ -164,14 +164,20 @@ function items.table(item, r, more)
   local display = ""
   local rows = item.rows or {}
   if #rows > 0 then
-    local cells = {}
+    local cells, beyond = {}, {} -- the columns that have a cell which is neither a number, with its unit or not, nor a dash
     for i, row in ipairs(rows) do
       cells[i] = {}
       for j, cell in ipairs(row) do
         local text = type(cell) == "number" and ("%.6g"):format(cell) or tostring(cell)
-        local numeric = text:find("^%s*[-+−]?%.?%d") and not text:find("%a%a")
-        local class = numeric and "number" or utf8.len(text) < 16 and "short" or "long"
-        cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
+        local begins = text:find("^%s*[-+−]?%.?%d")
+        local numeric, short = begins and not text:find("%a%a"), utf8.len(text) < 16
+        if not (begins and (numeric or short) or text == "–" or text == "") then beyond[j] = true end
+        cells[i][j] = {numeric and html.number(text) or html.text(text), class = numeric and "number" or short and "short" or "long"}
+      end
+    end
+    for _, row in ipairs(cells) do
+      for j, cell in ipairs(row) do
+        if not beyond[j] then cell.class = "number" end
       end
     end
     if item.open == "checks" then

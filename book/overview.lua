@@ -9,10 +9,13 @@ local function heading(r) return html.tag("h2", {id = r.chapter}, r.number .. " 
 
 local function join(parts) return table.concat(parts, "\n") end
 
--- A check as a link to its row on the chapter's page.
+-- A check as a link to its row on the chapter's page. A formula alone is no name: it follows that of its table.
 local function check_link(check, r)
-  local href = items.href(r.item[check.item], r, "index"):gsub("#.*$", "") .. "#" .. check.id
-  return html.tag("a", {href = href}, html.text(check.what or check.id)) .. check_tables.unit(check)
+  local item = r.item[check.item]
+  local href = items.href(item, r, "index"):gsub("#.*$", "") .. "#" .. check.id
+  local name = check.what or check.id
+  if name:match("^%$[^$]*%$$") then name = items.label(item, r) .. ": " .. name end
+  return html.tag("a", {href = href}, html.text(name)) .. check_tables.unit(check)
 end
 
 -- What became of a statement of a paper that did not come out as it is printed: {rank, kind}.
@@ -39,7 +42,7 @@ end
 
 local function finding_row(checks, kind, r)
   local check = checks[1]
-  local more = #checks > 1 and html.text((" and %d more of %s"):format(#checks - 1, items.label(r.item[check.item], r))) or ""
+  local more = #checks > 1 and html.text((" (and %d more of %s)"):format(#checks - 1, items.label(r.item[check.item], r))) or ""
   local why, trial = html.text(check.why or ""), check_tables.trial(check)
   local came = check_tables.cell(list_of(checks, check_tables.computed))
   if check.source == "claim" then
@@ -93,7 +96,7 @@ local function findings_table(records, parts)
   local rows, open = {}, 0
   for i, entry in ipairs(found) do
     rows[i] = entry.row
-    if entry.kind ~= "could not be tested" then open = i end
+    if entry.kind == "a check fails" or entry.kind == "the paper differs" then open = i end
   end
   local said = {}
   for _, kind in ipairs({"a check fails", "the paper differs", "our copy is damaged", "an input was chosen", "could not be tested"}) do
@@ -101,7 +104,7 @@ local function findings_table(records, parts)
   end
   local heads = {"what the paper has", {"chapter", filter = true}, {"kind", filter = true}, {"outcome", filter = true}, "printed", "computed", "what was found, and why"}
   return html.tag("p", {class = "tally"}, table.concat(said, " · "))
-    .. html.folded_table("sortable findings-table cards", heads, rows, open, "that could not be tested")
+    .. html.folded_table("sortable findings-table cards", heads, rows, open, "where our copy is damaged, an input was chosen, or nothing could be tested")
 end
 
 -- A file of a chapter's data, or nil where it has none.

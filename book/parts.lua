@@ -19,7 +19,7 @@ local function words_of(block)
     RawInline = function(raw) return text_of(raw.text) end,
     Math = function(math) return text_of(html.formula(math.text, math.mathtype) or "") end,
     Note = function() return {} end})
-  return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("^%s+", ""):gsub("%s+", " "))
+  return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("\u{a0}", " "):gsub("^%s+", ""):gsub("%s+", " "))
 end
 
 -- What a search finds: the sections with their text, and the figures and tables with what they show and check.

@@ -312,6 +312,12 @@ local function is_counted(inlines, i)
   return word and word.t == "Str" and inlines[i - 1].t == "Space" and counted[word.text:lower()]
 end
 
+-- "9 mph": the space between a number and its unit.
+local function is_before_unit(inlines, i)
+  local number, unit = inlines[i - 1], inlines[i + 1]
+  return number and unit and number.t == "Str" and unit.t == "Str" and number.text:find("%d$") and html.is_unit(unit.text)
+end
+
 -- Browsers break lines beside a formula, even before a comma: what touches it stays with it.
 local function Inlines(inlines)
   local out, run, formula = pandoc.List(), pandoc.List(), false
@@ -322,6 +328,7 @@ local function Inlines(inlines)
   for i, inline in ipairs(inlines) do
     if inline.t == "Link" and inline.classes:includes("ref") then say_once(inlines, i) end
     if inline.t == "Link" and inline.classes:includes("equation-reference") and is_counted(inlines, i) then inline = inline.content[1] end
+    if (inline.t == "Space" or inline.t == "SoftBreak") and is_before_unit(inlines, i) then inline = pandoc.Str "\u{a0}" end
     local is_formula = inline.t == "Math" and inline.mathtype == "InlineMath"
     if is_formula or inline.t == "Str" or inline.t == "Note" then
       run:insert(inline)
@@ -357,6 +364,7 @@ local function take_title(doc)
   end
   if more then doc = doc:walk({Header = function(h) h.level = h.level + 1 return h end}) end
   return doc:walk({Header = function(h)
+    if pandoc.utils.stringify(h) == "" then error("chapter " .. r.chapter .. ": a heading without words") end
     if r.item[h.identifier] then h.identifier = h.identifier .. "-section" end
     h.content:insert(pandoc.Link({}, "#" .. h.identifier, "link to this section", {class = "permalink"}))
     return h

@@ -11,12 +11,13 @@ rooms=("$@")
 (($# > 0)) || mapfile -t rooms < <(cd lib && ls -d -- */ | tr -d /)
 programs=()
 for room in "${rooms[@]}"; do
-  ! compgen -G "tests/*/${room}_*.cpp" > /dev/null || programs+=("test_$room")
+  ! compgen -G "tests/lib/$room/*.cpp" > /dev/null || programs+=("test_$room")
 done
 cmake --build "$build" --target "${programs[@]}"
 find "$build" -name '*.gcda' -delete
 for program in "${programs[@]}"; do
-  "$build/lib/${program#test_}/$program" > "$build/$program.log" || { tail -n 5 "$build/$program.log"; exit 1; }
+  "$build/lib/${program#test_}/$program" > "$build/$program.log" ||
+    echo "$program does not pass so instrumented, what it ran is counted: $(tail -n 3 "$build/$program.log" | tr -s '\n' ' ')"
 done
 rm -rf "$build/gcov"
 mkdir -p "$build/gcov"

@@ -25,8 +25,8 @@ struct TrackRecordOptions {
 
 void add_record_options(tool::OptionParser& parser, TrackRecordOptions& options);
 
-// What was asked for of one file; what is read of it is shown as progress. Throws InputError when the gap to bridge is no
-// whole number.
+// What was asked for of one file; what is read of it is shown as progress. Throws InputError when
+// the gap to bridge is no whole number.
 records::RecordFile record_file(const TrackRecordOptions& options,
                                 const std::filesystem::path& file);
 

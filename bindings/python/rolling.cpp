@@ -148,7 +148,15 @@ void bind_rolling(py::module_& whole) {
             return std::array{s.fx, s.fy, s.mz};
           },
           "axis_ratio"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "Shares (fx, fy, mz) of the friction bound at reduced creepages.");
+          "Shares (fx, fy, mz) of the friction bound at reduced creepages.")
+      .def(
+          "bound",
+          [](const ForceTable& table, double ratio, double x, double y, double spin) {
+            const InterpolationBound bound = table.bound(ratio, {x, y, spin});
+            return std::array{bound.force, bound.moment};
+          },
+          "axis_ratio"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
+          "Estimated bounds (force, moment) of the error of interpolation of at(), as shares.");
 }
 
 }  // namespace railbook::python

@@ -2,12 +2,12 @@
 "use strict";
 
 railbookFigure("wheel-on-rail", {
-  hint: "Drag the wheel sideways (or press the arrow keys). Near 5 mm it stands on two patches, and beyond on its flange.",
+  hint: "Drag the wheel sideways (or press the arrow keys). At 10 kN it stands on two patches near 5 mm, and beyond on its flange.",
   coarsens: "on 16 x 16 cells while it moves",
   state: {
     shift: {unit: "mm", si: 1e-3, value: 3, low: -5, high: 6.5, step: 0.1, label: "shift to the right"},
     yaw: {unit: "mrad", si: 1e-3, value: 0, low: -15, high: 15, step: 0.5, label: "yaw"},
-    load: {unit: "kN", si: 1e3, value: 80, low: 5, high: 150, step: 1, label: "wheel load"},
+    load: {unit: "kN", si: 1e3, value: 10, low: 5, high: 150, step: 1, label: "wheel load"},
   },
 
   build(figure) {

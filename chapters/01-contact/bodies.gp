@@ -3,6 +3,7 @@
 load "style.gp"
 set terminal pngcairo size 740,640 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
+set minussign
 stats ARG6 using "x_in" name "load" nooutput
 set multiplot
 unset grid
@@ -49,7 +50,7 @@ set lmargin at screen 0.50
 set rmargin at screen 0.99
 set xrange [-1.5:1.05]
 set yrange [-0.39:0.27]
-set label 1 "{/:Bold Across the rail}, heights three times" at graph 0.02,0.96
+set label 1 "{/:Bold Across the rail}, heights enlarged 3 : 1" at graph 0.02,0.96
 set arrow 1 from 0,0 to 0.42,0 ls axis size 0.05,20 filled front
 set label 2 "{/:Italic x}" at 0.45,0.005 front
 set arrow 2 from 0,0 to 0,0.15 ls axis size 0.05,20 filled front
@@ -81,13 +82,13 @@ set label 1 "{/:Bold From above}, approach {/:Italic δ} = 0.005 in" at graph 0.
 set arrow 1 from -0.78,0 to 0.24,0 ls axis size 0.035,20 filled front
 set label 2 "{/:Italic x}" at 0.26,0 front
 set arrow 2 from 0,-0.46 to 0,0.4 ls axis size 0.035,20 filled front
-set label 3 "{/:Italic y}" at 0.02,0.4 front
+set label 3 "{/:Italic y}" at -0.02,0.385 right front
 set label 4 "curve\n{/:Italic f} = {/:Italic δ}" at -0.80,0.33 textcolor rgb "#BE5400"
 set label 5 "contact {/:Italic Ω}" at -0.70,-0.47 textcolor rgb "#404040"
 set label 6 "cell {/:Italic Ω}_j,\npressure {/:Italic p}_j" at 0.135,-0.17 textcolor rgb purple
 set arrow 3 from 0.12,-0.16 to -0.053,-0.1 lw 1.2 lc rgb purple size 0.02,20 filled front
 set arrow 4 from -0.55,-0.42 to -0.40,-0.12 lw 1.2 lc rgb "#404040" size 0.02,20 filled front
-set label 7 "A" at -0.57,0.03 right front
+set label 7 "A" at -0.585,0.035 right front
 set label 8 "B" at 0.065,0.035 left front
 one(x, y) = abs(column("x_in") + 0.0553) < 0.006 && abs(column("y_in") + 0.1042) < 0.01 ? column("x_in") : NaN
 plot ARG3 using "x_in":"y_in":(0.5*column("dx_in")):(0.5*column("dy_in")) with boxxyerror fs solid 0.25 border lc rgb grey lw 0.6, \
@@ -103,8 +104,8 @@ set bmargin at screen 0.10
 set tmargin at screen 0.40
 set border 3
 set tics nomirror out scale 0.6
-set xtics 0.2
-set ytics 1
+set xtics 0.2 nomirror
+set ytics 1 nomirror
 set xrange [-0.62:0.1]
 set yrange [0:3.2]
 set xlabel "{/:Italic x}, in" offset 0,0.4

@@ -38,9 +38,7 @@ void draw::profiles(report::Item& item, double right_radius, double from, double
   section(item.data({"x_in", "rail_in", "wheel_in"}), right_radius, from, to);
   auto& labels = item.data("labels", {"x_in", "z_in", "label"});
   labels.add(-1.4, -0.2, fmt::format("rail: crown {:g} in", crown_radius / inch));
-  labels.add(-1.4, 0.1,
-             fmt::format("wheel: tread {:g} in and rolling radius {:g} in", tread_radius / inch,
-                         wheel_radius / inch));
+  labels.add(-1.4, 0.1, fmt::format("wheel: tread {:g} in", tread_radius / inch));
   if (right_radius != crown_radius)
     labels.add(0.03, -0.2, fmt::format("corner {:g} in", right_radius / inch));
 }
@@ -126,14 +124,6 @@ void bodies(report::Item& item) {
 
 }  // namespace
 
-const report::Section first_drawing{
-    report::figure("bodies",
-                   "A wheel presses on the jump of a rail's radius, and the pressure peaks beyond "
-                   "it. Top: wheel and rail touch at O; the bodies bend away from each other by "
-                   "the gap f. Bottom left: moved together by the approach δ, undeformed bodies "
-                   "would overlap inside the dash-dotted curve; elastic ones touch in the grey "
-                   "region, which the method cuts into columns of cells. Bottom right: the "
-                   "pressure along x, and where the force acts. This is Example 2, computed.",
-                   bodies)};
+const report::Section first_drawing{report::figure("bodies", bodies)};
 
 }  // namespace railbook::contact_chapter

@@ -8,35 +8,39 @@ $$f(x,y)=\frac{x^2}{2}\left(\frac{1}{R_r(x)}-\frac{1}{R_t}\right)+\frac{y^2}{2R_
 {{fig-08}}
 
 The contact is long on the flat side and short on the sharp one: {{x-left}} against {{x-right}}.
-Nine equal columns over the whole diameter put one or two on the short side, where the pressure is
+Nine equal columns over the whole diameter are each wider than the short side, where the pressure is
 highest. The iteration then cannot find the end of the contact there, and says so.
 
 The paper's footnote has the remedy: two column widths on each side of the origin, the finer near
-the edges. An edge of the mesh then lies on the jump itself, where the slope of the pressure is
-infinite. Our columns shrink smoothly, towards the jump as well: with two widths and ten columns a
-wide column meets a narrow one right at the jump, and the peak comes out {{two-widths-peak}} too
-high.
+the edges. The jump itself, where the slope of the pressure is infinite, is then an edge between two
+columns. But then the two columns that meet at the jump differ in width: with seven columns on the
+flat side and three on the sharp one the peak comes out {{two-widths-peak}} too high. So our columns
+become narrower by degrees, both towards the edges and towards the jump.
 
 ### Force and moment
 
 The paper prints the force $F$ and the moment $M_y$ about the jump. The moment is negative: the load
 sits on the flat side although the peak is on the sharp one. We solve the example twice: by
 COUNTACT-1, the variant of the program for one axis of symmetry, and by CG-FFT, the method of today.
-CG-FFT takes a uniform grid, finds its pressures by conjugate gradients, and applies the matrix by
-the fast Fourier transform. The last column of the table has a coned wheel, whose tread is straight.
+CG-FFT takes a uniform grid, finds its pressures by conjugate gradients, and multiplies by the
+matrix with the fast Fourier transform. The text does not say that the tread is hollow, and the
+treads of new wheels are often cones; so the last column of the table has a coned wheel, whose tread
+is straight across the rail.
 
 {{example-2}}
 
 COUNTACT-1 and the grid of {{grid-2}} cells agree to {{methods-agree}}, and the grid states an error
 of {{grid-error}} in $F$. The difference from the print is larger: {{off-f}} in $F$ and {{off-m}} in
-$M_y$ with a tread of 12.34 in. It comes from the tread, a damaged number, and from the paper's
-mesh: a tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the printed
-moment. Our text does not say that the tread is hollow. A coned wheel would be the natural guess,
-but its force is {{cone-off}} too low.
+$M_y$ with a tread of 12.34 in. A tread of {{force-tread}} gives the printed force and one of
+{{moment-tread}} the printed moment, so the damaged number explains most of the difference, but not
+all of it. The paper's mesh, which we do not have, may explain the rest. The coned wheel is
+excluded: its force is {{cone-off}} too low.
 
-CG-FFT needs no mesh that follows the region. Its function `solve_bounded_cg` holds the region as the
-set of cells with pressure. It iterates inside that set and drops cells that pull. When the
-iteration is done it takes in the cells outside that still overlap, and it ends when there are none.
+CG-FFT needs no mesh that follows the region. The function `solve_bounded_cg` holds the region as a
+set of cells. The conjugate gradients (`solve`) close the gap in this set; then `update_set` removes
+the cells that pull and adds those outside that still overlap. This is repeated until no cell
+changes. Large grids use an approximation of the matrix, good to a millionth, at a third of the
+work; `verify` checks the answer with the exact matrix, and the loop goes on if it fails.
 
 {{code: contact/bounded_cg.cpp solve_bounded_cg}}
 
@@ -44,14 +48,14 @@ iteration is done it takes in the cells outside that still overlap, and it ends 
 
 {{fig-09}}
 
-The figure shows the pressure along the axis of symmetry. If the crown went on to the right, it
-would be Hertz's ellipse. The corner falls away from the wheel and carries less, so the pressure
-beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
-jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. The [figure at the head of the
-page](#live-contact) rolls the wheel across the rail, from the crown, where the contact is an
-ellipse, over the jump into the corner, and plays COUNTACT's iteration; the library computes each
-answer.
+The figure shows the pressure along the axis of symmetry. If the crown went on to the right, the
+curve would be half an ellipse, as Hertz found. The corner falls away from the wheel and carries
+less, so the pressure beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero
+within another {{fall}}. At the jump the pressure is continuous, but its slope is infinite, like
+that of $x\ln x$; there the column of COUNTACT-1 next to the jump differs from the grid. The [figure
+at the head of the page](#live-contact) moves the wheel across the rail, from the crown, where the
+contact is an ellipse, over the jump to the corner, and shows COUNTACT's iteration step by step; the
+library computes each answer in your browser.
 
 {{scene}} shows the same pressure in space.
 
@@ -118,7 +122,8 @@ void force_and_moment(report::Item& item) {
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch_lbf;
   const char* tread =
-      "the tread, a damaged number, is known to 0.8 %, and moves the result by this much";
+      "the tread, a damaged number, is known to 0.8 %, which moves the force by as much and the "
+      "moment by several times as much";
   item.expect_checks(7);
   item.columns({"",
                 {"COUNTACT-1", "{:.0f}"},
@@ -126,18 +131,18 @@ void force_and_moment(report::Item& item) {
                 {"print", "{:.0f}"},
                 {"a cone, CG-FFT", "{:.0f}"}});
   item.add_row("F, lbf", c.force / lbf, grid.force / lbf, force / lbf, cone.force / lbf);
-  item.add_row("M, in·lbf", c.moment_y / inch_lbf, grid.moment_y / inch_lbf, moment / inch_lbf,
-               cone.moment_y / inch_lbf);
+  item.add_row("M<sub>y</sub>, in·lbf", c.moment_y / inch_lbf, grid.moment_y / inch_lbf,
+               moment / inch_lbf, cone.moment_y / inch_lbf);
   item.add_row("peak, psi", c.p_max / psi, grid.p_max / psi, units::nan, cone.p_max / psi);
   item.row(printed, "F").print("printed", grid.force / lbf, report::relative(0.01, tread));
   item.row(printed, "M").print("printed", grid.moment_y / inch_lbf, report::relative(0.015, tread));
   item.row(printed, "M-Nm")
       .print(
           "printed", std::abs(moment),
-          report::restored("our text has 806.2; 5365 in lbf are 606.2 N m, and 6 and 8 are alike"));
+          report::restored("our text has 806.2; 5365 in·lbf are 606.2 N·m, and 6 and 8 are alike"));
   item.agree("force", "force, COUNTACT-1", "lbf", c.force / lbf, grid.force / lbf, 1e-3,
              grid_method);
-  item.agree("moment", "moment, COUNTACT-1", "in lbf", c.moment_y / inch_lbf,
+  item.agree("moment", "moment, COUNTACT-1", "in·lbf", c.moment_y / inch_lbf,
              grid.moment_y / inch_lbf, 1.5e-3, grid_method);
   item.agree("peak", "peak pressure, COUNTACT-1", "psi", c.p_max / psi, grid.p_max / psi, 3e-3,
              grid_method);
@@ -195,35 +200,9 @@ void in_space(report::Item& item) {
 
 }  // namespace
 
-const report::Section example_2{
-    report::figure(
-        "fig-08",
-        "The wheel stands on the jump of the rail's radius. The tread (dashed) follows the crown "
-        "(solid) on the left and leaves the corner on the right. Section across the rail, heights "
-        "enlarged. The bodies of Example 2, in the place of Fig. 8 of the paper.",
-        fig_08),
-    report::table("example-2",
-                  "Two methods agree on force, moment and peak. Example 2 at an approach of 0.005 "
-                  "in, with the "
-                  "printed numbers, and with a cone for a tread.",
-                  force_and_moment),
-    report::figure(
-        "fig-09",
-        "The pressure peaks just beyond the jump. Pressure along x: line, uniform grid; triangles, "
-        "COUNTACT-1; dashed, a coned wheel, which the printed force excludes. Example 2, in the "
-        "place of "
-        "Fig. 9 of the paper.",
-        fig_09),
-    report::figure("fig-10",
-                   "The contact is cut off at the jump. Boxes are the last mesh of COUNTACT-1, the "
-                   "line around it is "
-                   "the interpenetration curve, where it began. Example 2, in the place of Fig. 10 "
-                   "of the paper.",
-                   fig_10),
-    report::figure("scene",
-                   "The pressure stands like a wave against the jump. Columns as high as the "
-                   "pressure over one half of the contact, its mesh on the other half; around it "
-                   "the interpenetration curve. Example 2, computed.",
-                   in_space)};
+const report::Section example_2{report::figure("fig-08", fig_08),
+                                report::table("example-2", force_and_moment),
+                                report::figure("fig-09", fig_09), report::figure("fig-10", fig_10),
+                                report::figure("scene", in_space)};
 
 }  // namespace railbook::contact_chapter

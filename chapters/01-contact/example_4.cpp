@@ -1,24 +1,25 @@
 /*** ## Example 4: a flat punch with a rounded edge
 
-The last example is to show the "great resolving power" of the method: a circular stamp, flat in the
-middle and rounded at the edge, whose pressure climbs eightfold within a hundredth of an inch. Stamp
-and contact are round, so everything depends on the distance $\rho$ from the axis alone, and the
-variant COUNTAXI of the program cuts the contact into rings.
+The last example shows the "great resolving power" of the method: a circular stamp is flat in the
+middle and rounded at the edge, and its pressure has a narrow peak at the edge. Our text has the
+approach, $\delta=0.001$ in, and not the drawing with the dimensions. We take a flat of radius
+$\rho_0=0.5$ in and an edge of radius $R_e=1$ in. The peak is then {{ratio}} times the pressure in
+the middle, and the pressure falls to zero within {{reach}} of the flat.
 
-The coefficient of a ring is the difference of two discs. A disc of radius $c$ under a uniform
-pressure has the complete elliptic integrals $\mathrm{K}$ and $\mathrm{E}$ in its displacement:
+Stamp and contact are round, so everything depends on the distance $\rho$ from the axis alone, and
+the variant COUNTAXI of the program cuts the contact into rings. The integral (15) over a ring is
+the difference of the integrals over two discs. That over a disc of radius $c$ follows from
+$\mathrm{K}_a$ and $\mathrm{K}_b$ of Example 1, here for the modulus in the brackets:
 
-$$\int_{\text{disc}}\frac{dA}{r}=4c\,\mathrm{E}\!\left(\frac{\rho}{c}\right)\ (\rho<c),\qquad 4\rho\left[\mathrm{E}\!\left(\frac{c}{\rho}\right)-\left(1-\frac{c^2}{\rho^2}\right)\mathrm{K}\!\left(\frac{c}{\rho}\right)\right]\ (\rho>c).$$
+$$\int_{\text{disc}}\frac{dA}{r}=4c\left[\mathrm{K}_b\!\left(\frac{\rho}{c}\right)+\left(1-\frac{\rho^2}{c^2}\right)\mathrm{K}_a\!\left(\frac{\rho}{c}\right)\right]\ (\rho<c),\qquad \frac{4c^2}{\rho}\,\mathrm{K}_b\!\left(\frac{c}{\rho}\right)\ (\rho>c).$$
 
-This is the function `disc_influence`, whose `r` is our $\rho$. It takes the two integrals apart
-into parts that are all positive, so that no digits cancel at the edge of the disc.
+This is the function `disc_influence`, whose `r` is our $\rho$. All terms are positive, so no digits
+cancel at the edge of the disc.
 
 {{code: contact/influence.cpp disc_influence}}
 
-Our text has the approach, $\delta=0.001$ in, and not the drawing with the dimensions. We take a
-flat of radius $\rho_0=0.5$ in and an edge of radius $R_e=1$ in. This example can be checked better
-than any other: the pressure under any axisymmetric profile is a single integral (Sneddon 1965).
-With the lengths
+This example can be checked better than any other: the pressure under any axisymmetric profile is a
+single integral (Sneddon 1965). With the lengths
 
 $$S(t)=\sqrt{t^2-\rho_0^2},\qquad T(t)=S(t)-\rho_0\arctan\frac{S(t)}{\rho_0}$$
 
@@ -31,12 +32,12 @@ sharp punch ($R_e\to0$).
 
 {{fig-14}}
 
-Sixty rings, finer towards the edge, give the load and the peak:
+Sixty rings, finer towards the edge, give the force, the reach and the peak:
 
 {{example-4}}
 
-The peak is {{ratio}} times the pressure in the middle. It lies {{beyond}} outside the flat, in a
-contact that reaches only {{reach}} beyond it, so the rings must be narrow there.
+The peak lies {{beyond}} outside the flat, in a contact that reaches only {{reach}} beyond it, so
+the rings must be narrow there.
 
 {{fold}}
 */
@@ -111,18 +112,7 @@ void fig_14(report::Item& item) {
 
 }  // namespace
 
-const report::Section example_4{
-    report::figure(
-        "fig-14",
-        "The rounded edge keeps the pressure finite. Gap under the stamp, and pressure against the "
-        "distance from the axis: closed form, 60 rings of COUNTAXI, and a punch with a sharp edge; "
-        "right, "
-        "the edge enlarged. Dimensions ours, in the place of Fig. 14 of the paper.",
-        fig_14),
-    report::table("example-4",
-                  "Sixty rings find the force and the peak of the stamp. COUNTAXI against the "
-                  "closed form, Example "
-                  "4.",
-                  by_rings)};
+const report::Section example_4{report::figure("fig-14", fig_14),
+                                report::table("example-4", by_rings)};
 
 }  // namespace railbook::contact_chapter

@@ -5,7 +5,8 @@ set output ARG2
 unset key
 set xlabel "y along the rail, in"
 set ylabel "p, 10^4 psi"
-set xrange [0:0.13]
+set xrange [0:0.125]
+set yrange [-3.6:4.6]
 set arrow from graph 0, first 0 to graph 1, first 0 nohead ls guide
 stats ARG3 using "boundary_in" name "old" nooutput
 stats ARG3 using "y_in" name "new" nooutput

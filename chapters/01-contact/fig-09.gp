@@ -9,7 +9,7 @@ set yrange [0:3.6]
 set key top left
 set arrow from 0, graph 0 to 0, graph 1 nohead ls guide
 set label "crown, 10 in" at -0.01,0.25 right
-set label "corner, 1.25 in" at 0.075,0.6 left rotate by 90
+set label "corner, 1.25 in" at 0.086,0.3 left rotate by 90
 plot ARG3 using "x_in":"p_1e5_psi" with lines lt 1 title "hollow tread, CG-FFT", \
      ARG1 using "x_in":"p_1e5_psi" with points lt 3 title "hollow tread, COUNTACT-1", \
      ARG4 using "x_in":"p_1e5_psi" with lines lt 2 title "cone"

@@ -7,7 +7,7 @@ set xlabel "x along the axis, in"
 set ylabel "height, 10^{-3} in"
 set xrange [-0.9:0.9]
 set yrange [-1.8:1.4]
-set arrow 1 from 0, 0 to 0, 0.65 nohead lw 2 lc rgb blue
+set arrow 1 from 0, 0 to 0, 0.65 heads size 0.012,20 filled lw 1.6 lc rgb blue front
 set label 1 "approach δ" at 0.03, 0.3 tc rgb blue front
 set label 2 "cylinder, 1 in radius" at 0, 1.15 center front
 set label 3 "crowned cylinder, 1 in radius, straight for |x| < 0.5 in,\ncrown radius 85 in beyond" at 0, -0.5 center front

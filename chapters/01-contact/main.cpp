@@ -17,18 +17,20 @@ formulas do not hold.
    surfaces would cut each other if the bodies moved through each other, undeformed, as far as the
    load brings them together (the *approach*). It says that "The true contact region lies entirely
    inside the interpenetration curve". We prove it in one line, and it is true in all four examples;
-   in the first, the curve reaches {{overlap}} as far as the contact. {{outcome:fig-01/inside}}
+   in Example 1 the curve is {{overlap}} as wide across the rail as the contact.
+   {{outcome:fig-01/inside}}
 2. What does a wheel carry on the jump of the radius? For an approach of 0.005 in the paper prints a
-   force of 34 072 lbf and a moment about the jump of −5365 in·lbf. We find {{grid-force}}
-   ({{off-f}}) and {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our
-   text of the paper, is 12.34 in; the printed force itself follows from {{force-tread}}, the
-   printed moment from {{moment-tread}}. {{outcome:example-2/F-printed}}
-   {{outcome:example-2/M-printed}}
+   force of 34 072 lbf and a moment about the jump of −5365 in·lbf. The radius of the wheel's tread
+   is damaged in our copy ("J2.34"). With 12.34 in, the likeliest reading, a fine grid gives
+   {{grid-force}} ({{off-f}}) and {{grid-moment}} ({{off-m}}). No single radius gives both printed
+   numbers: {{force-tread}} gives the force, {{moment-tread}} the moment.
+   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
 3. The contact region is found step by step. Does it only shrink on the way? "The new candidate
-   contact boundary will be inside the old one", says the paper. This is true on every mesh that we
-   tried until the region comes within {{outward-margin}} of the contact. A program that forbids
-   outward moves ends with a contact that is {{inward-short}} too short, with our way of finding the
-   boundary, against {{free-short}} without the rule. {{outcome:moves/inside}}
+   contact boundary will be inside the old one", says the paper. On the four meshes of Example 1
+   that we tried this is true as long as the region reaches more than {{outward-margin}} beyond the
+   contact. Closer to it a move can go too far, and later ones then go outward. If our program
+   forbids them, its contact comes out {{inward-short}} too short across the rail; if it allows
+   them, {{free-short}}. {{outcome:moves/inside}}
 :::
 
 ## The paper
@@ -41,10 +43,10 @@ region.
 
 This page rebuilds the program, recomputes the paper's table and figures, and compares them with
 Hertz, with a closed form for a punch with a rounded edge, and with a second method on a uniform
-grid. We have the paper as machine-read text: its words and numbers, some of them misread, and of
-the drawings only scraps of their lettering. Units are the paper's: inches, pounds of force (lbf)
-and psi (lbf/in²). Tables and figures with a plain number, as Table 2, are the paper's; those of
-this page are numbered 1.1 and so on.
+grid. We have the paper as machine-read text: its words and numbers, some of them misread. The
+drawings are lost but for scraps of their lettering. Units are the paper's: inches, pounds of force
+(lbf) and psi (lbf/in²). "Table 2" or "Fig. 7" is the paper's; "Table 1.3" or "Figure 1.7" is on
+this page. Numbers of equations are the paper's.
 
 {{include: method.cpp}}
 
@@ -58,18 +60,20 @@ this page are numbered 1.1 and so on.
 
 ## Deviations
 
-* **The tread** is a damaged number, "J2.34". The numbers that depend on it ask for {{force-tread}}
-  to 12.34 in ({{treads}}); we use 12.34 in, as the lettering reads. With a conical tread the force
-  of Example 2 is {{cone-off}} too low. {{outcome:example-2/cone}}
+* **The tread** is a damaged number, "J2.34". The printed numbers that depend on it follow from
+  treads of {{force-tread}} to {{column-tread}} ({{treads}}); we use 12.34 in, as the lettering
+  reads. With a conical tread the force of Example 2 is {{cone-off}} too low.
+  {{outcome:example-2/cone}}
 * **Hertz's column of Table 2.** Its force is {{printed-load-off}} more than follows from its own
-  axes and pressure; one misread digit would explain this. It is the force of COUNTACT's column to
-  five digits. {{outcome:table-2/own-load}}
+  axes and pressure. One misread digit would explain this, and so would a force that was copied from
+  COUNTACT's column, which has the same five digits. {{outcome:table-2/own-load}}
 * **Example 2.** On a fine grid the force is {{off-f}} from the print and the moment {{off-m}}.
   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
 * **Moves of the boundary** are all inward until the region comes within {{outward-margin}} of the
-  contact; free moves also undo an undershoot. {{outcome:moves/inside}}
-* **The three-point parabola** needs the paper's half sentence that $p$ be one-valued in $y$;
-  without it the iteration diverges. {{outcome:fig-04/three-points}}
+  contact. If outward moves are allowed, they bring back a boundary that has come to lie inside the
+  true one. {{outcome:moves/inside}}
+* **The three-point parabola** needs the paper's condition that $p$ be one-valued in $y$; without it
+  the iteration diverges. {{outcome:fig-04/three-points}}
 * **Examples 3 and 4** have no dimensions in our text. We chose some, and test only what the paper
   claims about them. Whether the crown's stress concentration is "negligible" ({{peak-percent}} on
   our rollers) is left open. {{outcome:fig-12/infinite}} {{outcome:example-4/resolving}}
@@ -92,20 +96,21 @@ Table 2, and no Table 1. Numbers that the paper prints in two systems of units a
 
 ## Limits
 
-* **Half space.** The contact must be small against the radii. Beyond the jump of Example 2 it
-  reaches {{patch-corner}} of the corner's radius, and there the half space is a good approximation.
-  But the whole patch is {{patch-across}} times that radius across, and {{patch-along}} times on
-  each side along the rail, and what this costs is not tested here. A worn wheel that fits into the
-  corner of the rail (conformal contact) is beyond it.
+* **Half space.** The contact must be small against the radii. The part beyond the jump of Example 2
+  is short, {{patch-corner}} of the corner's radius. But the whole patch is {{patch-across}} times
+  as wide as that radius, and {{patch-along}} times as long on each side of the axis. What this
+  costs is not tested here. A worn wheel that fits into the corner of the rail (conformal contact)
+  needs another theory.
 * **Elastic.** The peak of Example 2, {{peak}}, is far above what rail steel bears elastically. A
   real corner yields and wears to a larger radius.
-* **One piece.** COUNTACT takes a column as one interval around the axis, so it cannot see two
-  patches, one on the tread and one on the flange (the rim that keeps a wheel on the rail); the grid
-  can. Yaw, the turn of a wheelset about the vertical, breaks the symmetry that COUNTACT-1 needs.
+* **One piece.** COUNTACT takes a column as one interval around the axis, so of two distant patches,
+  one on the tread and one on the flange (the rim that keeps a wheel on the rail), it finds one and
+  gives no warning; the grid finds both. Yaw, the turn of a wheelset about the vertical, breaks
+  the symmetry that COUNTACT-1 needs.
 * **Frictionless and smooth.** With equal elastic constants friction would not change the normal
   pressure; roughness would.
-* **The boundary** is first order in every method here: trust the force, the moment and the peak to
-  more digits than the ends of the contact.
+* **The boundary** is found to a fraction of a cell only: trust the force, the moment and the peak
+  to more digits than the ends of the contact.
 
 ## Use it
 
@@ -155,8 +160,8 @@ $ railbook contact solve --body-1-radius-across 10in --body-2-radius-across -12.
 ...
 ```
 
-* Let the tread come close to the crown. The contact is 0.78 in long on each side, against 0.16 in
-  with the tread of 12.34 in. At which tread does it outgrow the crown of your rail?
+* Let the tread come close to the crown. With 10.1 in the contact reaches 0.78 in to each side,
+  against 0.16 in with 12.34 in. At which tread does it outgrow the crown of your rail?
 
 ```console
 $ railbook contact solve --config radii.toml --body-2-radius-across -10.1in

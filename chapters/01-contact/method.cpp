@@ -7,16 +7,16 @@ the plane $xy$:
 
 $$f(x,y)=z_1(x,y)+z_2(x,y) \tag{1}$$
 
-A load moves the bodies together by a length $\delta$, the *approach*. Where they would overlap, the
-two surfaces sink by $w_1$ and $w_2$. The gap that is left is then
+A load moves the bodies together by a length $\delta$, the *approach*, and the pressure between them
+pushes their surfaces back by $w_1$ and $w_2$. The gap that is left is then
 
 $$s=w_1+w_2+f-\delta. \tag{2}$$
 
 It must vanish in the contact region $\Omega$, so $s=0$ there (3), and be positive outside it, so
 $s>0$ (4). As long as the region is small against the radii, each body may be taken as an elastic
-half space, that is as if it filled all space behind the plane $xy$. The sinking at a point is then
-the sum over all elements of area $dA$ that carry a pressure $p$, each at the distance $r$ from the
-point (Boussinesq):
+half space, that is as if it filled all space behind the plane $xy$. The displacement of a surface
+point is then a sum over all elements of area $dA$ that carry a pressure $p$, each at the distance
+$r$ from the point (Boussinesq):
 
 $$w_i=\frac{1-\nu_i^2}{\pi E_i}\int_\Omega\frac{p\,dA}{r} \tag{5}$$
 
@@ -53,10 +53,10 @@ because the pressure is nowhere negative and somewhere positive.
 
 {{fig-01}}
 
-In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of
-the contact lies inside the curve; the gap of the cell nearest to it is {{nearest}} of $\delta$.
-Earlier authors fixed the curve at an arbitrary depth and left $\delta$ free, and some of their
-contacts crossed it. The paper holds that this could leave the problem undetermined.
+In Example 1 the curve is {{overlap}} as wide along $x$ as the contact. In all four examples every
+cell of the contact lies inside the curve: where a cell comes nearest to it, $f$ is {{nearest}} of
+$\delta$. Earlier programs, says the paper, chose a curve $f$ = const and left $\delta$ free; some
+of their contacts crossed the curve. The paper holds that this could leave the problem undetermined.
 
 ## The loop
 
@@ -66,7 +66,7 @@ The region and its pressure are found in turn:
 2. Cut the region into columns, and each column into cells of constant pressure.
 3. Solve linear equations for the pressures that close the gap at the centre of each cell.
 4. Along each column, move the boundary to the place where the pressure falls to zero.
-5. Lay new columns in the new region, and go back to step 3 until the boundary rests.
+5. Lay new columns in the new region, and go back to step 3 until the boundary no longer moves.
 
 In the program these steps are the function `iterate`. It starts from `first_mesh` (steps 1 and 2).
 In each pass `solve_pressures` does step 3, and `update_boundary` does step 4 and returns the mesh
@@ -75,16 +75,16 @@ region's size, or with a reason why it cannot go on.
 
 {{code: method/countact.cpp iterate}}
 
-Three things in it are ours. `Damping` shortens the moves once the boundary begins to swing. If a
-region grows tenfold, the loop ends as diverged. A boundary that has come to rest is tested
-afterwards: outside it the bodies must not overlap, and inside it the pressure must fall towards the
-edge over several cells.
+Three things in it are ours. `Damping` shortens the moves when the boundary begins to oscillate. If
+the region becomes ten times as large, the loop ends as diverged. When it has converged, the result
+is tested: outside the boundary the bodies must not overlap, and inside it the pressure must fall
+towards the edge over several cells.
 
 ### Step 3: the pressures on one mesh
 
-The second idea of the paper is a mesh that follows the region, so that its edge is always the edge
-of cells. The diameter along $x$, from A to B in the drawing, is cut into $m_x$ columns, and each
-column into $m_y$ cells. Cell $j$, of area $\Omega_j$, has the pressure $p_j$. Equation (8) is
+The second idea of the paper is a mesh that follows the region, so that no cell lies half inside it.
+The diameter along $x$, from A to B in the drawing, is cut into $m_x$ columns, and each column into
+$m_y$ cells. Cell $j$, of area $\Omega_j$, has the pressure $p_j$. Equation (8) is
 required at the centre $(x_i,y_i)$ of each cell $i$, at the distance $r_i$ from the element $dA$:
 
 $$\sum_j b_{ij}p_j=d_i \tag{14}$$
@@ -93,33 +93,36 @@ $$b_{ij}=\int_{\Omega_j}\frac{dA}{r_i} \tag{15}$$
 
 $$d_i=\frac{\delta-f(x_i,y_i)}{k} \tag{16}$$
 
-The coefficient $b_{ij}$, a length, is what the cell $j$ contributes at the centre $i$, and $d_i$ is
-what all cells together must contribute there. The function `solve_pressures` fills the right side
-$d_i$, has the matrix made, and solves by elimination. Then it adds up the force and the moment,
-column by column; where the bodies are symmetric, only one half or one quarter of the cells is
-unknown.
+A unit of pressure on cell $j$ moves the surfaces apart by $k\,b_{ij}$ at the centre $i$, and
+$k\,d_i$ is the overlap that must be removed there. The function `solve_pressures` fills the right
+side $d_i$, calls `influence_matrix` for the $b_{ij}$, and solves by elimination. Then it adds up
+the force and the moment, column by column. Where the bodies are symmetric, only the pressures of
+one half or one quarter of the cells are unknown; `fold_column` finds the column that a column
+mirrors.
 
 {{code: method/countact.cpp solve_pressures}}
 
 For $b_{ij}$ the paper finds "certain approximations" convenient. Here it is the exact integral over
 a rectangle, which is the sum, with alternating signs, of `corner_function` at its four corners.
-Written with the inverse hyperbolic sine the function loses no digits for slender cells.
+Because it is written with the inverse hyperbolic sine, the function loses no digits for slender
+cells.
 
 {{code: contact/influence.cpp corner_function}}
 
 ::: {.fold summary="Are these equations well posed?"}
 
 Earlier programs of this kind were unstable, and the paper blames their formulation, which left the
-approach free. Is (14) well posed? The condition number tells by how much errors of the equations
-can grow in the pressures. For Example 1 it is small:
+approach free. They needed *regularization*, that is smoothing which is added to an unstable
+equation. Does (14) need it? The *condition number* of the matrix tells by how much a relative error
+of the equations can grow in the pressures. For Example 1 it is small:
 
 {{conditioning}}
 
-It grows with the power {{condition-power}} of the number of cells across. It must grow with finer
-cells, because the pressure stands under an integral; it does so slowly, because $1/r$ is singular
-and the integral smooths only weakly. In the single precision of the paper's computer, whose
-relative spacing is $16^{-5}$, rounding costs at most {{short-loss}} on nine columns. No
-regularization (smoothing that is added to tame an unstable equation) is needed.
+The condition number grows with the power {{condition-power}} of the number of cells across. It must
+grow with finer cells, because the pressure stands under an integral. It does so slowly, because
+$1/r$ is singular and the integral smooths only weakly. In the single precision of the paper's
+computer, whose relative spacing is $16^{-5}$, rounding costs at most {{short-loss}} of the
+pressures on nine columns.
 
 :::
 
@@ -131,21 +134,22 @@ The pressure must end before them, and the place where it is zero is interpolate
 {{fig-03}}
 
 A cell that pulls, says the paper, lies outside the true contact. This is true on every mesh of
-Example 1 that we tried: the closest of {{pulling}} such cells on nine columns lies
-{{pulling-nearest}} outside Hertz's ellipse, and the closest on finer meshes {{pulling-finer}}.
+Example 1 that we tried: on nine columns {{pulling}} cells pull in the course of the iteration, and
+the innermost lies {{pulling-nearest}} outside Hertz's ellipse; on finer meshes the innermost lies
+{{pulling-finer}} outside.
 
 When all cells of a column push, the pressure is continued outward to its zero. Near the edge of a
-smooth contact the pressure falls like the root of the distance from the edge, so it is continued by
-a parabola that lies on its side: $y=q_0+q_2p^2$ through the last two points, or $y=q_0+q_1p+q_2p^2$
-through the last three, with constants $q_0$, $q_1$, $q_2$ that the points fix.
+smooth contact the pressure falls like the square root of the distance from the edge. So it is
+continued by a parabola that lies on its side: $y=q_0+q_2p^2$ through the last two points, or
+$y=q_0+q_1p+q_2p^2$ through the last three, with constants $q_0$, $q_1$, $q_2$ that the points fix.
 
 {{fig-04}}
 
 The paper asks that the fit make $p$ a one-valued function of $y$: the parabola must not turn back
 before it reaches zero. The details are in a report that we do not have, so the parabolas are ours.
-The method depends on this half sentence. On {{fit-meshes}} columns of Example 1 the iteration
-diverges with three points and without the condition. With it the iteration converges, to the force
-that two points give. Two points are used from here on.
+With three points the method depends on this condition: on {{fit-meshes}} columns of Example 1 the
+iteration diverges without it, and converges with it to the force that two points give. A parabola
+through two points never turns back, so two points are used from here on.
 
 The function `find_zero` takes the positions of the cells along a column, outward from the axis,
 and their pressures. It counts the leading cells that push. If a cell that pulls follows, the zero
@@ -416,43 +420,9 @@ void two_units(report::Item& item) {
 }  // namespace
 
 const report::Section method{
-    report::figure(
-        "fig-01",
-        "The contact, from P to Q, lies inside the interpenetration curve, from P' to Q'. Gap "
-        "between "
-        "the bodies along x after a move of δ = 0.0004 in: dashed for undeformed bodies, "
-        "which overlap where it is negative; solid for elastic ones, where it is zero in "
-        "the contact. Example 1, after Fig. 1 of the paper.",
-        fig_01),
-    report::table(
-        "conditioning",
-        "The equations (14) are well posed. Condition number of the matrix on the last mesh of "
-        "Example 1, for finer and finer meshes.",
-        conditioning),
-    report::figure("fig-02",
-                   "The region shrinks in one step of the loop. One half of the region: boxes are "
-                   "the cells of the first candidate region, triangles the zeros of pressure found "
-                   "on its columns and on the axis (A and B), circles the heights of the next "
-                   "columns. First step of Example 1, after Fig. 2 of the paper.",
-                   fig_02),
-    report::figure(
-        "fig-03",
-        "Where cells pull, the new boundary is the zero between the last cell that pushes and the "
-        "first that pulls. Pressure against the distance from the axis, in the middle column of "
-        "the first step of Example 1; after Fig. 3 of the paper.",
-        fig_03),
-    report::figure("fig-04",
-                   "Where all cells push, a parabola on its side continues the pressure to zero. "
-                   "Pressure against the distance from the axis, in the middle column of the last "
-                   "step of Example 1. The parabola through three points turns back on its way to "
-                   "zero, which the paper forbids; after Fig. 4 of the paper.",
-                   fig_04),
-    report::table(
-        "fig-05",
-        "The routines of COUNTACT and the functions that do their work here. After Fig. 5 of the "
-        "paper.",
-        fig_05),
-    report::table("units", "The numbers that the paper prints in two systems of units agree.",
-                  two_units)};
+    report::figure("fig-01", fig_01), report::table("conditioning", conditioning),
+    report::figure("fig-02", fig_02), report::figure("fig-03", fig_03),
+    report::figure("fig-04", fig_04), report::table("fig-05", fig_05),
+    report::table("units", two_units)};
 
 }  // namespace railbook::contact_chapter

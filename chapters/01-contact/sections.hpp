@@ -1,4 +1,5 @@
-// The sections of the chapter, and what they share: the paper's inputs, a result, points of figures.
+// The sections of the chapter, and what they share: the paper's inputs, a result, points of
+// figures.
 #pragma once
 
 #include <array>
@@ -33,7 +34,8 @@ inline constexpr double crown_radius = 10 * inch, corner_radius = 1.25 * inch;
 inline constexpr double delta_1 = 0.0004 * inch, delta_2 = 0.005 * inch;
 inline constexpr double delta_3 = 0.00065 * inch, delta_4 = 0.001 * inch;
 
-// The bodies of each example; of 3 and 4 only the crown of 85 in is printed. On a grid the jump lies between cells.
+// The bodies of each example; of 3 and 4 only the crown of 85 in is printed. On a grid the jump
+// lies between cells.
 inline Gap on_the_crown(double tread = tread_radius) {
   return rail_wheel_gap({wheel_radius, tread, crown_radius, crown_radius});
 }

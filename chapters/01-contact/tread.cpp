@@ -1,12 +1,12 @@
 /*** ### Which tread did the program have?
 
-::: {.fold summary="The tread that each printed number asks for: 12.25 in to 12.34 in"}
+::: {.fold summary="The tread from which each printed number follows: 12.25 in to 12.32 in"}
 
 The first two of Hertz's formulas in Example 1 give both curvatures back from the printed $a$, $b$
 and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The
 wheel comes out at {{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}.
 It is the sensitive number, because its curvature nearly cancels that of the crown: a tread
-{{tread-per-percent}} larger changes $a$ by a whole per cent.
+{{tread-per-percent}} larger changes $a$ by 1 %.
 
 {{code: tread.cpp shape_of}}
 
@@ -18,15 +18,15 @@ result is shown:
 
 {{treads}}
 
-The numbers do not agree on one tread. The force of Example 2 asks for {{force-tread}}, Hertz's
-column for {{fitted-tread}}, the moment of Example 2 for {{moment-tread}}, and COUNTACT's column for
-about {{column-tread}}. The mesh of the paper's program may explain a part of this: on ten graded
-columns the force comes out {{coarse-force}} too high, and then the printed one asks for
+The numbers do not agree on one tread. The force of Example 2 follows from {{force-tread}}, Hertz's
+column from {{fitted-tread}}, the moment of Example 2 from {{moment-tread}}, and COUNTACT's column
+from about {{column-tread}}. The mesh of the paper's program may explain a part of this: on ten
+graded columns the force comes out {{coarse-force}} too high, and then the printed one follows from
 {{coarse-tread}}.
 
-All lie within {{treads-off}} of the drawn 12.34 in, which is used on this page; 12.28 in would meet
-the three numbers that do not depend on a mesh better. This uncertainty of the tread is why forces agree to 1 %
-and no better.
+All lie within {{treads-off}} of the drawn 12.34 in, which this page uses. A tread of 12.28 in would
+be closer to the three results that do not depend on a mesh. Because the tread is uncertain by this
+much, forces can agree with the print to 1 % and no better.
 
 The force of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi ab\,p_0$ of the same
 column is {{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of
@@ -84,7 +84,7 @@ double best_mesh(const table::CsvTable& printed, double tread, bool inward_only)
     CountactOptions options{uniform_columns(columns), rows};
     options.inward_only = inward_only;
     const NormalContact c = countact_2(on_the_crown(tread), delta_1, modulus, options).contact;
-    if (c.converged) best = std::min(best, worst_off(printed, "countact", in_print_units(c)));
+    if (c.converged) best = std::min(best, worst_off(printed, "COUNTACT-2", in_print_units(c)));
   }
   return best;
 }
@@ -135,14 +135,14 @@ void treads(report::Item& item) {
     moments.push_back(c.moment_y / (inch * lbf));
     free.push_back(best_mesh(printed, tread, false));
     inward.push_back(best_mesh(printed, tread, true));
-    item.add_row(t, 100 * worst_off(printed, "hertz", in_print_units(hertz_1(tread))),
+    item.add_row(t, 100 * worst_off(printed, "Hertz", in_print_units(hertz_1(tread))),
                  100 * free.back(), 100 * inward.back(), 100 * (forces.back() / force - 1),
                  100 * (moments.back() / moment - 1));
   }
   const double by_force = asks_for(treads, forces, force);
   const double by_moment = asks_for(treads, moments, moment);
   const auto print = [&](const char* key) {
-    return report::printed_number(printed.at(key, "hertz"));
+    return report::printed_number(printed.at(key, "Hertz"));
   };
   const double by_hertz = shape_of(print("a") * inch, print("b") * inch, delta_1).tread / inch;
   item.add_row("each asks for", fmt::format("{:.2f} in", by_hertz),
@@ -170,11 +170,6 @@ void treads(report::Item& item) {
 
 }  // namespace
 
-const report::Section which_tread{report::table(
-    "treads",
-    "The printed numbers ask for treads between 12.25 in and 12.34 in. Difference of each printed "
-    "number from the computed one, for a tread each; the last row is the tread that each asks "
-    "for.",
-    treads)};
+const report::Section which_tread{report::table("treads", treads)};
 
 }  // namespace railbook::contact_chapter

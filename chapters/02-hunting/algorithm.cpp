@@ -2,15 +2,15 @@
 ### The paper's search
 
 The paper finds a cycle of a given amplitude by two loops, drawn in its flow chart (Fig. 10). The
-inner loop, `settle`, takes the gains for the present shape and frequency, takes the least damped
-eigenvector of the car with these gains as the next shape, scales it to the amplitude, and repeats
-until the shape reproduces itself. A footnote of the paper says that the least damped eigenvector
-does not always do so, and that the next one is used then (`choice`).
+inner loop, `settle`, computes the gains for the present shape and frequency. It takes the least
+damped eigenvector of the car with these gains as the next shape, scales it to the amplitude, and
+repeats until the shape reproduces itself. A footnote of the paper says that the least damped
+eigenvector does not always do so, and that the next one is used then; `choice` says which of the
+two is taken.
 
 {{code: method/eigenvector_loop.cpp settle}}
 
-The outer loop, `run`, changes the speed until the growth rate is zero, by a straight line through
-the last two.
+The outer loop, `run`, changes the speed until the growth rate is zero, by the secant method.
 
 {{code: method/eigenvector_loop.cpp run}}
 
@@ -22,8 +22,9 @@ the branch the cycle is wanted: at a speed, at an amplitude, or at a step of giv
 branch's tangent. The last (*pseudo-arclength*) lets the branch turn round in speed and in
 amplitude, as it does.
 
-The function `solve_cycle` does this by Newton's method. Its first eighteen rows are (10) and its
-exact derivative, row 18 is the phase, and row 19 is the condition that was picked (`set_condition`).
+The function `solve_cycle` does this by Newton's method. Rows 0 to 17 of its equations are (10),
+with the exact derivative; row 18 is the phase, and row 19, from `set_condition`, is the condition
+that was picked.
 
 {{code: vehicle/cycle_solver.cpp solve_cycle}}
 
@@ -32,15 +33,18 @@ exact derivative, row 18 is the phase, and row 19 is the condition that was pick
 {{fig-loop}} shows the paper's search on new wheels, in steps of 0.01 in of amplitude, each started
 from the last result. At {{loop-lost}} it stops converging. The trucks have modes in nearly equal
 pairs, and the least damped one is in turn that of the front truck, of the rear truck and of both.
-From {{loop-found}} on it converges again, but on the *other* family: {{loop-front}} at the front,
-{{loop-rear}} at the rear.
+From {{loop-found}} on it converges again, but on the *other* family, in which the rear truck swings
+alone: {{loop-rear}} at the rear, {{loop-front}} at the front.
 
-That may be how the paper came to its "fishtailing" mode and its abrupt change of shape; its own
-curves are lost, so this is an inference. Started on the cycles of the first family themselves, the
-search holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and
-0.74 in. What it finds depends on where it starts.
+The paper finds that the shape of the motion changes abruptly at the flange, to such a motion of the
+rear truck. A search that steps over to another family may be the reason; the paper's own curves are
+lost, so this is an inference.
 
 ::: {.fold summary="The search along both families, amplitude by amplitude"}
+
+When we start the search on the cycles of the first family themselves, it holds them with one of the
+two eigenvectors at {{loop-held}} amplitudes between 0.41 and 0.74 in. What it finds depends on
+where it starts.
 
 {{fig-loop}}
 
@@ -123,23 +127,16 @@ void fig_loop(report::Item& item) {
 
 void loop_claims(report::Item& item) {
   item.rebuilt(rebuilt_reason);
-  item.expect_checks(3);
   // The first that does not converge, and the first after it that does.
   const Sweep& s = sweeps()[0];
   const auto lost = std::find_if(s.begin(), s.end(), [](const Step& t) { return !t.good(); });
   const auto again = std::find_if(lost, s.end(), [](const Step& t) { return t.good(); });
   const auto good = std::ranges::count_if(s, &Step::good);
-  consistent(item, "converges", double(good) > 0.75 * amplitudes,
-             fmt::format("at {} of {}", good, amplitudes));
+  item.claim_if("converges", double(good) > 0.75 * amplitudes, {double(good), double(amplitudes)});
   const auto size = wheelset_amplitudes(vehicle("new").car.car(), again->result.cycle.shape);
   const auto [held, tried] = held_on_first();
-  consistent(item, "all-cycles", held == tried,
-             fmt::format("a sweep is on the second family from {:.2f} in on; started on the first, "
-                         "the loop holds it at {} of {} amplitudes with one of the two choices",
-                         again->inches, held, tried),
-             "a sweep from the critical speed misses the first family; other starts are ours");
-  consistent(item, "needs-development", lost < again,
-             fmt::format("lost from {:.2f} to {:.2f} in", lost->inches, again->inches));
+  item.claim_if("all-cycles", held == tried, {again->inches, double(held), double(tried)});
+  item.claim_if("needs-development", lost < again, {lost->inches, again->inches});
   item.value("loop-held", fmt::format("{} of {}", held, tried));
   item.value("loop-lost", lost->inches, "in", "{:.2f}");
   item.value("loop-found", again->inches, "in", "{:.2f}");
@@ -149,16 +146,7 @@ void loop_claims(report::Item& item) {
 
 }  // namespace
 
-const report::Section algorithm{
-    report::figure("fig-loop",
-                   "The paper's search loses the first family where the flange is met. Points are "
-                   "the cycles that it finds on new wheels, step by step of amplitude, with each "
-                   "of the two choices of mode; crosses at the right are amplitudes at which it "
-                   "does not converge. Lines are the branches followed by continuation.",
-                   fig_loop),
-    report::table("loop-claims",
-                  "The search converges at most amplitudes, and not always to the cycle wanted. "
-                  "What the text says of it, tried on new wheels",
-                  loop_claims)};
+const report::Section algorithm{report::figure("fig-loop", fig_loop),
+                                report::table("loop-claims", loop_claims)};
 
 }  // namespace railbook::hunting_chapter

@@ -23,22 +23,25 @@ creepage
 
 $$\xi_x=\frac{\dot x_w}V-\psi. \tag{1}$$
 
-Its right and left wheels want to run different distances, which is the longitudinal creepage, with
-the radius $r_0$ of the wheels in the middle of the track:
+Its right and left wheels roll on different radii but turn together, so each must slide lengthwise.
+This sliding over the speed is the longitudinal creepage, with the radius $r_0$ of the wheels in the
+middle of the track:
 
 $$\xi_{zR}=1+\frac aV\dot\psi-\frac{r_R}{r_0}, \tag{2}$$
 
 $$\xi_{zL}=1-\frac aV\dot\psi-\frac{r_L}{r_0}. \tag{3}$$
 
-A wheel whose contact plane is inclined also turns on the spot. This is the spin creepage, in
-radians a length,
+A wheel whose contact plane is inclined also turns on the spot, about the normal of that plane. This
+turning over the speed is the spin creepage, in radians a length,
 
 $$\xi_{\theta R}=\frac{\delta_R}{r_0}+\frac{\dot\psi}V, \tag{4}$$
 
 $$\xi_{\theta L}=-\frac{\delta_L}{r_0}+\frac{\dot\psi}V. \tag{5}$$
 
-For small creepages the forces are proportional to them. The factors are the creep coefficients
-$f_{11}$ (lateral), $f_{33}$ (longitudinal), $f_{12}$ and $f_{22}$ (spin).
+For small creepages the forces are proportional to them; the paper calls this linear creep. The
+factors are the creep coefficients: $f_{11}$ and $f_{33}$ for the lateral and the longitudinal
+force, $f_{12}$ for the lateral force from spin and the moment from lateral creepage, and $f_{22}$
+for the moment from spin.
 
 **Gravity.** The rails' forces are normal to the contact planes. Their lateral parts $N_{xR}$ and
 $N_{xL}$ push the wheelset back with
@@ -48,27 +51,25 @@ $$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big), \tag{6}$$
 where $W$ is the load on the axle.
 
 **Equations of motion.** Table 1 of the paper, which has them, is lost. They follow from what has
-been said. With (1) to (6) one wheelset feels the lateral force $F_w$ and the yawing moment $M_w$,
+been said. With (1) to (6), one wheelset feels the lateral force $F_w$ and the yawing moment $M_w$,
 
 $$F_w=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
 
 $$M_w=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
   +\frac{2f_{22}}{r_0}D.$$
 
-Spin cancels {{spin-share}} of the force that gravity exerts through the contact angles:
-$2f_{12}/r_0$ is {{spin-force}} and the axle load {{axle-load}}.
-
 The function `add_creep` writes these two lines into the matrices of the car. The row `b` takes a
 wheelset's displacement out of the nine coordinates, and `t` its yaw. What multiplies a rate goes
-into `creep_damping`, which is divided by $V$ later; what multiplies the yaw itself goes into
+into `creep_damping`, which is divided by $V$ later. What multiplies the yaw goes into
 `creep_stiffness`. The forces that unit values of $R$, $D$ and $\Phi$ exert become the columns
 `g_r`, `g_d` and `g_phi`.
 
 {{code: vehicle/freight_car.cpp add_creep}}
 
-**Suspension.** Each joint is a spring in parallel with dry friction. The friction is replaced by
-its describing function, (12) below. For the lateral springs of a side frame, with the stroke $s$,
-the stiffness $K_x$, the friction $F_{0x}$ and the amplitude $A$ of the rate $\dot s$, the force is
+**Suspension.** Each of the seven joints of the suspension is a spring in parallel with dry
+friction; the centre plates have friction only. The friction is replaced by its describing function,
+(12) below. For the lateral springs of a side frame, with the stroke $s$, the stiffness $K_x$, the
+friction $F_{0x}$ and the amplitude $A$ of the rate $\dot s$, the force is
 
 $$F_{xs}=K_xs+\frac{4F_{0x}}{\pi A}\dot s. \tag{13}$$
 
@@ -79,16 +80,16 @@ centre plates.
 
 **The creep coefficients can be recomputed**, because the paper names the theory, Kalker's, and
 calls them full values. Hertz's theory gives the ellipse in which a wheel of 33 in diameter touches
-a rail head of 10 in radius under half the axle load; steel has a modulus of 29·10⁶ psi and Poisson's
-ratio is 0.3. The rail's radius and the steel are assumptions. Kalker's table gives the coefficients
-for that ellipse.
+a rail head of 10 in radius under half the axle load; steel has a modulus of 29 million psi and
+Poisson's ratio is 0.3. The rail's radius and the steel are assumptions. Kalker's table gives the
+coefficients for that ellipse.
 
 {{creep-coefficients}}
 
-Three coefficients agree with the print. This settles two exponents, and that the values are full
-ones. For $f_{22}$ our text has 2.1, twenty times less than Kalker's theory gives, and we read 42.1.
-The ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give {{f22-print}} without crown, load
-and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$, with Kalker's coefficients
+Three coefficients agree with the print. This restores two exponents, and shows that the values are
+full ones. For $f_{22}$ our text has 2.1, twenty times less than Kalker's theory gives, and we read
+42.1. The ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give {{f22-print}} without crown,
+load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$, with Kalker's coefficients
 $C_{22}$, $C_{23}$ and $C_{33}$, depends on the shape of the ellipse alone. All computations use
 42.1; the literal 2.1 would change the critical speed with new wheels by {{f22-effect}}.
 
@@ -102,6 +103,7 @@ $C_{22}$, $C_{23}$ and $C_{33}$, depends on the shape of the ellipse alone. All 
 
 #include <railbook/contact/hertz.hpp>
 #include <railbook/contact/material.hpp>
+#include <railbook/report/values.hpp>
 #include <railbook/rolling/kalker_table.hpp>
 
 #include "vehicles.hpp"
@@ -137,8 +139,9 @@ Creep by_hertz_and_kalker(const CarParameters& car, double crown = 10 * inch,
           shear * ab * c.c11};
 }
 
-// A unit as a page has it: N·m/rad for N*m/rad, kg·m² for kg*m^2.
+// A unit as a page has it: N·m/rad for N*m/rad, kg·m² for kg*m^2, ft·lb for ft lb.
 std::string written(std::string unit) {
+  std::ranges::replace(unit, ' ', '*');
   for (std::size_t at; (at = unit.find('*')) != std::string::npos;) unit.replace(at, 1, "·");
   for (std::size_t at; (at = unit.find("^2")) != std::string::npos;) unit.replace(at, 2, "²");
   return unit;
@@ -150,25 +153,44 @@ void parameters(report::Item& item) {
   const CarParameters car;
   for (const CarDatum& datum : car_data()) {
     const double si = car.*datum.member;
-    item.add_row(fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, datum.unit,
-                 fmt::format("{:.5g} {}", si, written(units::si_name(datum.dimension))),
-                 origin_text(datum));
+    item.add_row(
+        fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, written(datum.unit),
+        fmt::format("{:.5g} {}", si, written(units::si_name(datum.dimension))), origin_text(datum));
   }
   const Dampers c = equivalent_dampers(car);
   const auto damper = [&](const char* symbol, const char* what, double value, bool turns) {
     item.add_row(symbol, what, fmt::format("{:.4g}", value / (turns ? foot_pound : lbf / foot)),
-                 turns ? "ft lb s/rad" : "lb s/ft",
+                 turns ? "ft·lb·s/rad" : "lb·s/ft",
                  fmt::format("{:.5g} {}", value, turns ? "N·m·s/rad" : "N·s/m"),
-                 "fitted: $4F_0/\\pi\\omega A$");
+                 "fitted: $4F_0/\\pi\\omega_cA_c$");
   };
   damper("$c_x$", "lateral damper, a side frame", c.lateral, false);
   damper("$c_y$", "vertical damper, a side frame", c.vertical, false);
   damper("$c_w$", "warp damper, a truck", c.warp, true);
   damper("$c_\\theta$", "centre-plate damper, a truck", c.centre_plate, true);
-  const double spin = 2 * car.f12 / car.wheel_radius, load = axle_load(car);
-  item.value("spin-force", spin / lbf, "lb", "{:.0f}");
-  item.value("axle-load", load / lbf, "lb", "{:.0f}");
-  item.value("spin-share", 100 * spin / load, "%", "{:.0f}");
+  item.value("axle-load", axle_load(car) / lbf, "lb", "{:.0f}");
+}
+
+// The printed coefficient that is farthest from the computed one, over it.
+double farthest(const CarParameters& print, const Creep& f) {
+  double ratio = 1;
+  for (const double t : {print.f11 / f.f11, print.f33 / f.f33, print.f12 / f.f12})
+    if (std::abs(std::log(t)) > std::abs(std::log(ratio))) ratio = t;
+  return ratio;
+}
+
+// f22 from the printed f11 and f12, free of load, size and modulus: f11 goes with the ellipse's
+// area, f12 with its power 3/2, f22 with its square.
+double f22_by_print(const CarParameters& print, const Creep& f) {
+  return f.f22 * f.f11 / (f.f12 * f.f12) * print.f12 * print.f12 / print.f11;
+}
+
+// By how much another f22 moves the critical speed with new wheels [ft/s].
+double effect_of_f22(double f22) {
+  CarParameters other;
+  other.f22 = f22;
+  return std::abs(first_critical(other, vehicle("new")).speed -
+                  first_critical({}, vehicle("new")).speed);
 }
 
 void creep_coefficients(report::Item& item) {
@@ -177,9 +199,7 @@ void creep_coefficients(report::Item& item) {
   item.expect_checks(6);
   const CarParameters print;
   const Creep f = by_hertz_and_kalker(print);
-  const double f22 = foot * foot_pound;
-  // Free of load, size and modulus: f11 goes with the ellipse's area, f12 with its power 3/2, f22 with its square.
-  const double by_print = f.f22 * f.f11 / (f.f12 * f.f12) * print.f12 * print.f12 / print.f11;
+  const double f22 = foot * foot_pound, by_print = f22_by_print(print, f);
   const auto assumed =
       report::relative(words::nearly, "crown, modulus and Poisson's ratio are assumed");
   const auto exponent =
@@ -188,53 +208,35 @@ void creep_coefficients(report::Item& item) {
              exponent);
   item.print("f33", "f33, longitudinal creep: our text has \"1.262x10° 18\"", "lb", "1.262e6",
              f.f33 / lbf, exponent);
-  item.print("f12", "f12, lateral/spin creep: our text has \"6750\"", "ft lb", "6750",
+  item.print("f12", "f12, lateral/spin creep: our text has \"6750\"", "ft·lb", "6750",
              f.f12 / foot_pound, assumed);
-  item.print("f22", "f22, spin creep, from the printed f11 and f12: our text has \"2.1\"", "ft² lb",
+  item.print("f22", "f22, spin creep, from the printed f11 and f12: our text has \"2.1\"", "ft²·lb",
              "42.1", by_print / f22,
              report::restored("2.1 is twenty times too small: we read a first digit that is lost",
                               report::absolute(5, "half of the way to the next readings")));
-  // The printed value that is farthest from ours, times ours.
-  const auto worst = [&](const Creep& c) {
-    double least = 1;
-    for (const double t : {print.f11 / c.f11, print.f33 / c.f33, print.f12 / c.f12})
-      if (std::abs(std::log(t)) > std::abs(std::log(least))) least = t;
-    return least;
-  };
   report::Trial full = item.trial("full-kalker", "print over computation, the worst of three",
                                   "{:.2f}", [](double t) { return t > 0.75 && t < 1.5; });
   full.vary("crown of the rail head", [&](const report::Setting& s) {
-    return worst(by_hertz_and_kalker(print, s.number * inch));
+    return farthest(print, by_hertz_and_kalker(print, s.number * inch));
   });
   full.vary("Young's modulus", [&](const report::Setting& s) {
-    return worst(by_hertz_and_kalker(print, 10 * inch, s.number * 1e6 * units::psi));
+    return farthest(print, by_hertz_and_kalker(print, 10 * inch, s.number * 1e6 * units::psi));
   });
-  claim(item, "full-kalker", full,
-        fmt::format("{} times those of Hertz and Kalker; half of the full values would be 0.5",
-                    full.range()));
+  item.claim("full-kalker", "the creep coefficients are full Kalker values", full,
+             fmt::format("{} times those of Hertz and Kalker; half of the full values would be 0.5",
+                         full.range()));
   item.value("creep-range", full.range() + " times");
-  CarParameters other;
-  other.f22 = 2.1 * f22;
-  const Vehicle& fresh = vehicle("new");
-  const double change =
-      std::abs(first_critical(other, fresh).speed - first_critical({}, fresh).speed);
-  item.at_most("f22-effect", "critical speed, new wheels, f22 of 2.1 instead of 42.1", "ft/s",
+  const double change = effect_of_f22(2.1 * f22);
+  item.at_most("f22-effect",
+               "change of the critical speed, new wheels, with f22 of 2.1 instead of 42.1", "ft/s",
                change, 0.5, "half of the printed speed's last digit");
-  item.value("f22", f.f22 / f22, "ft² lb", "{:.1f}");
-  item.value("f22-print", by_print / f22, "ft² lb", "{:.1f}");
+  report::values(item, "ft²·lb", "{:.1f}", "f22", f.f22 / f22, "f22-print", by_print / f22);
   item.value("f22-effect", change, "ft/s", "{:.0e}");
 }
 
 }  // namespace
 
-const report::Section car{
-    report::table("parameters",
-                  "Most data of the car are printed, some are restored or ours. The paper's Table "
-                  "2 with what it does not give",
-                  parameters),
-    report::table("creep-coefficients",
-                  "Kalker's theory gives the printed creep coefficients. From Hertz's ellipse and "
-                  "Kalker's table, against the text that we have",
-                  creep_coefficients)};
+const report::Section car{report::table("parameters", parameters),
+                          report::table("creep-coefficients", creep_coefficients)};
 
 }  // namespace railbook::hunting_chapter

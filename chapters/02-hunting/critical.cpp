@@ -4,16 +4,18 @@
 For small motions the gains are constants and the car is linear. A motion $q\,e^{(\sigma+i\omega)t}$
 grows if $\sigma$ is positive. At the *critical speed* $\sigma$ of one of the car's motions passes
 through zero, and the motion $q\,e^{i\omega t}$ neither grows nor dies: $Z(i\omega,V)\,q=0$, where
-$Z$ is the matrix that gives the forces for a motion of this frequency and speed. Such a place is
-called a Hopf point.
+$Z$ is the matrix that gives the forces for a motion of this frequency and speed. The code calls
+this a *Hopf point*.
 
-One could look for it by scanning the speeds, and step over it. There is a safer way. The creep
-forces contain $1/V$ only, so the matrix of the linear car is a fixed part plus $1/V$ times another.
-The same holds for the *bialternate sum*, a matrix of 153 rows whose eigenvalues are all sums of two
-eigenvalues of the car. It is singular exactly where two eigenvalues are opposite, as $i\omega$ and
-$-i\omega$ are, so that its own eigenvalue problem in $1/V$ gives all critical speeds at once.
-`pair_sums` forms it: each pair of states `r` and `s` is a column, and the matrix `a` acts on one of
-the two at a time.
+A scan of the speeds may step over a critical one. There is a safer way. The creep forces contain
+the speed as $1/V$ only, so the matrix of the linear car, of 18 rows, is a fixed part plus $1/V$
+times another one. We form its *bialternate sum*: a matrix of 153 rows, whose eigenvalues are the
+sums of every two of the 18 eigenvalues of the car.
+
+At a critical speed two of these are $i\omega$ and $-i\omega$; their sum is zero, and the
+bialternate sum is singular. It is a fixed part plus $1/V$ times another one as well, so a single
+eigenvalue problem in $1/V$ gives all critical speeds at once. The function `pair_sums` forms it:
+each pair of states `r` and `s` is a column, and the matrix `a` acts on one of the two at a time.
 
 {{code: vehicle/linear_stability.cpp pair_sums}}
 
@@ -21,26 +23,32 @@ the two at a time.
 
 **Two kinds of hunting.** The car has two kinds of motion, and each has a critical speed. In one the
 trucks go **together**, and the body sways with them. In the other they **oppose** each other, and
-the body yaws about its middle. With new wheels the trucks go together at the first critical speed
-and oppose each other at the second, only {{hopf-gap}} above. With worn wheels it is the other way
-round. The middle of the body is then nearly at rest, but its ends move with the trucks ({{end-cn}}
-of the truck's motion with CN wheels, {{end-heumann}} with Heumann wheels).
+the body yaws about its middle. With new wheels the trucks go together at the first critical speed,
+and oppose each other at the second, only {{hopf-gap}} above. With worn wheels the trucks oppose
+each other at the first one. The middle of the body is then nearly at rest, but its ends move with
+the trucks ({{end-cn}} of the truck's motion with CN wheels, {{end-heumann}} with Heumann wheels).
 
-**The dampers are fitted.** For this part the paper replaces friction by dampers, "assuming constant
-amplitudes and frequency" that it does not give. Ours damp as (12) does at the frequency $\omega_c$,
-for a travel $A_c$ of the translations and an angle $\theta_c$ of the rotations. So they depend on
-two rates, $\omega_cA_c$ and $\omega_c\theta_c$. The pairs of rates that give 145 ft/s with new
-wheels lie on two stretches of a curve. On one stretch the frequency is {{upper-omega}}, on the
-other {{lower-omega}}. The printed 12 rad/s choose the first, from $\omega_c\theta_c$ = {{fit-low}}
-on. There the frequency with CN wheels is {{fit-cn}}, and the paper prints 21. All other results use
-20 rad/s with 0.5 in and 0.003 rad.
+**The dampers are fitted.** To study wheel and rail alone, the paper replaces dry friction by
+dampers, "assuming constant amplitudes and frequency" that it does not give. Our dampers are the
+gains (12) of friction at a frequency $\omega_c$, for a travel $A_c$ of the translations and an
+angle $\theta_c$ of the rotations. So they depend on two rates only, $\omega_cA_c$ and
+$\omega_c\theta_c$.
 
-**Do CN wheels lower the critical speed?** The paper says that it is "much lower". With the dampers
-of that stretch the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels:
-a tenth lower at one end, as high or higher at the other. It is much lower only with dampers that
-put the frequency with new wheels at {{lower-omega}}. The printed frequencies speak against it as
-well: a truck that is held square moves at $\omega\propto V\sqrt\lambda$, so with three times the
-conicity it comes to 21 instead of 12 rad/s at about the same speed.
+Many pairs of rates give 145 ft/s with new wheels ({{dampers}}). They form two groups. In one the
+frequency is {{upper-omega}}, in the other {{lower-omega}}. The printed 12 rad/s leave the part of
+the first group in which $\omega_c\theta_c$ is at least {{fit-low}}; there the frequency with CN
+wheels is {{fit-cn}}, and the paper prints 21. All other results on this page use 20 rad/s with 0.5
+in and 0.003 rad, a pair of this part.
+
+**Do CN wheels lower the critical speed?** The paper says that it is "much lower". With these pairs
+the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels: a tenth lower at
+one end, as high or higher at the other. With single dampers changed as well it is
+{{cn-speeds-tried}}. It is much lower only with dampers of the other group, with which new wheels
+hunt at {{lower-omega}} instead of 12.
+
+The printed frequencies, too, speak against a much lower speed. A truck that is held square moves at
+$\omega\propto V\sqrt\lambda$. At the same speed, three times the conicity therefore raises the
+frequency $\sqrt3$ times, from 12 to 21 rad/s, and these are the printed values.
 
 {{dampers: checks}}
 
@@ -56,8 +64,8 @@ its wave is longer than that of a single wheelset:
 $$\omega=V\sqrt{\frac\lambda{ar_0}}\,\Big/\sqrt{1+\Big(\frac{L_T}a\Big)^2}.$$
 
 For 12 rad/s at 145 ft/s this needs a conicity of {{implied-conicity}}, the cone of 1:20, and a
-truck that its warp stiffness holds square. Without the last factor the conicity would be
-{{free-conicity}}, a cone of 1:40, and the new wheel of 1976 had 1:20.
+truck that its warp stiffness holds square. Without the last factor, for a single wheelset, it would
+need {{free-conicity}}, a cone of 1:40; but the new wheel of 1976 had 1:20.
 
 :::
 
@@ -69,14 +77,16 @@ truck that its warp stiffness holds square. Without the last factor the conicity
 #include <array>
 #include <cmath>
 
+#include <railbook/report/values.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
 namespace {
 
-// The two stretches of dampers that give 145 ft/s with new wheels, by omega theta [rad/s]; 0.06 is ours.
-// On the first the frequency rounds to 12 rad/s from the fourth on.
+// The two groups of dampers that give 145 ft/s with new wheels, by omega theta [rad/s]; 0.06 is
+// ours. In the first the frequency rounds to 12 rad/s from the fourth on.
 constexpr std::array upper{0.008, 0.010, 0.011, 0.0116, 0.014, 0.018, 0.024, 0.06, 0.15, 3.0};
 constexpr std::array lower{0.00001, 0.00003, 0.0001, 0.0002};
 
@@ -89,6 +99,31 @@ double body_end(const Vehicle& v) {
   const Vector9c& q = v.hopf[0].motion.shape;
   return CarParameters{}.half_truck_distance * std::abs(q[TH_C]) /
          std::max(std::abs(q[X_TF]), std::abs(q[X_TR]));
+}
+
+// The frequencies with other exponents of the warp stiffness and dampers that give 145 ft/s again:
+// all that there are, by omega theta.
+Range with_other_warp_stiffness() {
+  Range omega;
+  for (const double factor : {0.1, 10.0, 100.0})
+    for (double rotation = 1e-5; rotation < 10; rotation *= 10) {
+      CarParameters data;
+      data.warp_stiffness *= factor;
+      const double translation = translation_for(rotation, data);
+      if (std::isfinite(translation))
+        omega.add(first_critical(with_dampers(translation, rotation, data), vehicle("new")).omega);
+    }
+  return omega;
+}
+
+// The conicity at which a wheelset alone hunts at 12 rad/s and 145 ft/s, and a rigid truck.
+struct Conicity {
+  double wheelset, truck;
+};
+Conicity implied_conicity() {
+  const CarParameters p;
+  const double alone = 12.0 * 12.0 / std::pow(145 * foot, 2) * p.half_gauge * p.wheel_radius;
+  return {alone, alone * (1 + std::pow(p.half_wheelbase / p.half_gauge, 2))};
 }
 
 void critical_speeds(report::Item& item) {
@@ -116,31 +151,19 @@ void critical_speeds(report::Item& item) {
   item.print("frequency-heumann", "frequency before flange contact, modified Heumann", "rad/s",
              "26", heumann.hopf[0].motion.lambda.imag(),
              report::fitted("the hollow's radius was chosen; the text says \"much steeper\" only"));
-  // With other exponents, and dampers that give 145 ft/s again: all that there are, by omega theta.
-  Range omega;
-  for (const double factor : {0.1, 10.0, 100.0})
-    for (double rotation = 1e-5; rotation < 10; rotation *= 10) {
-      CarParameters data;
-      data.warp_stiffness *= factor;
-      const double translation = translation_for(rotation, data);
-      if (std::isfinite(translation))
-        omega.add(first_critical(with_dampers(translation, rotation, data), fresh).omega);
-    }
-  const std::string others = fmt::format("{:.0f} to {:.0f} rad/s", omega.low, omega.high);
+  const std::string others = with_other_warp_stiffness().text(0, "rad/s");
   item.print("warp-stiffness",
-             "frequency, new wheels, with a warp stiffness of 3.81 10⁶ and dampers for 145 ft/s",
+             "frequency, new wheels, with a warp stiffness of 3.81×10⁶ and dampers for 145 ft/s",
              "rad/s", "12", first_critical(with_dampers(translation_for(0.06), 0.06), fresh).omega,
              report::restored("the exponent is illegible: 5, 7 and 8 give " + others +
                               " with dampers that give 145 ft/s"));
   item.value("warp-others", others);
-  item.value("end-cn", 100 * body_end(vehicle("cn")), "%", "{:.0f}");
-  item.value("end-heumann", 100 * body_end(heumann), "%", "{:.0f}");
+  report::values(item, "%", "{:.0f}", "end-cn", 100 * body_end(vehicle("cn")), "end-heumann",
+                 100 * body_end(heumann));
   item.value("hopf-gap", (fresh.hopf[1].motion.speed - first) / foot, "ft/s", "{:.0f}");
-  const CarParameters p;
-  const double rigid = 12.0 * 12.0 / std::pow(145 * foot, 2) * p.half_gauge * p.wheel_radius;
-  item.value("implied-conicity", rigid * (1 + std::pow(p.half_wheelbase / p.half_gauge, 2)), "",
-             "{:.3f}");
-  item.value("free-conicity", rigid, "", "{:.3f}");
+  const Conicity conicity = implied_conicity();
+  report::values(item, "", "{:.3f}", "implied-conicity", conicity.truck, "free-conicity",
+                 conicity.wheelset);
 }
 
 // The critical speed with CN wheels over that with new ones.
@@ -174,7 +197,8 @@ wheelset::OddTable scaled(const wheelset::OddTable& function, double factor) {
   return wheelset::OddTable(function.step(), std::move(values));
 }
 
-// The same with other CN wheels: R, of the rolling radii, and D, of the contact angles, times these factors.
+// The same with other CN wheels: R, of the rolling radii, and D, of the contact angles, times these
+// factors.
 double cn_ratio_with(double of_R, double of_D) {
   wheelset::ConstraintFunctions table = *vehicle("cn").table;
   table.R = scaled(table.R, of_R);
@@ -188,9 +212,8 @@ double cn_ratio_printed(double omega_cn, double omega_new, double slope) {
   return omega_cn / omega_new / std::sqrt(slope);
 }
 
-void much_lower(report::Item& item) {
-  report::Trial trial = item.trial("much-lower-cn", "critical speed, CN A over new wheels",
-                                   "{:.2f}", [](double r) { return r > 1 / words::much; });
+// The ratio with everything varied that we chose, or that the print rounds.
+void vary_cn_ratio(report::Trial& trial) {
   trial.vary("dampers that give 145 ft/s and 12 rad/s, by the rate of rotation",
              [](const report::Setting& s) {
                return cn_ratio(with_dampers(translation_for(s.number), s.number));
@@ -212,97 +235,130 @@ void much_lower(report::Item& item) {
                const auto& c = cases.at(s.index);
                return cn_ratio_printed(c[0], c[1], c[2]);
              });
+}
+
+void much_lower(report::Item& item) {
+  report::Trial trial = item.trial("much-lower-cn", "critical speed, CN A over new wheels",
+                                   "{:.2f}", [](double r) { return r > 1 / words::much; });
+  vary_cn_ratio(trial);
   item.value("cn-ratio-tried", trial.range() + " times");
   Range by_dampers;
   for (std::size_t k = 0; k < 2; ++k)
     for (const double r : trial.variations()[k].results) by_dampers.add(145 * r);
-  item.value("cn-speeds-tried",
-             fmt::format("{:.0f} to {:.0f} ft/s", by_dampers.low, by_dampers.high));
-  refute(item, "much-lower-cn", trial, "it is " + trial.range() + " times that with new wheels");
+  item.value("cn-speeds-tried", by_dampers.text(0, "ft/s"));
+  item.refute("much-lower-cn",
+              "the initial speed with CN A is much lower than that with new wheels", trial,
+              "it is " + trial.range() + " times that with new wheels");
+}
+
+// Dampers that give 145 ft/s with new wheels, and the first critical speeds of the three wheels.
+struct FittedDampers {
+  double rotation, translation = translation_for(rotation);
+  std::array<Critical, damped_cars> at{};
+};
+template <std::size_t n>
+std::vector<FittedDampers> fitted_dampers(const std::array<double, n>& rotations) {
+  std::vector<FittedDampers> all;
+  all.reserve(n);
+  for (const double rotation : rotations) {
+    FittedDampers& d = all.emplace_back(FittedDampers{rotation});
+    for (std::size_t w = 0; w < damped_cars; ++w)
+      d.at[w] = first_critical(with_dampers(d.translation, rotation), vehicles()[w]);
+  }
+  return all;
+}
+
+// How many of the rotations between the two groups have a translation that gives 145 ft/s.
+int between_the_groups() {
+  int found = 0;
+  for (const double rotation : {0.0005, 0.001, 0.002, 0.004})
+    found += std::isfinite(translation_for(rotation)) ? 1 : 0;
+  return found;
+}
+
+double frequency_ratio(double rotation) {
+  const CarParameters data = with_dampers(translation_for(rotation), rotation);
+  return first_critical(data, vehicle("cn")).omega / first_critical(data, vehicle("new")).omega;
+}
+
+// What the dampers leave open that give 12 rad/s as well.
+struct LeftOpen {
+  double lowest_rotation = 0;
+  Range cn_speed, cn_omega;
+};
+LeftOpen left_open(const std::vector<FittedDampers>& dampers) {
+  LeftOpen left;
+  for (const FittedDampers& d : dampers) {
+    if (!rounds_to_12(d.at[0])) continue;
+    if (left.lowest_rotation == 0) left.lowest_rotation = d.rotation;
+    left.cn_speed.add(d.at[1].speed), left.cn_omega.add(d.at[1].omega);
+  }
+  return left;
+}
+
+Range new_wheel_frequencies(const std::vector<FittedDampers>& dampers) {
+  Range omega;
+  for (const FittedDampers& d : dampers) omega.add(d.at[0].omega);
+  return omega;
 }
 
 void dampers(report::Item& item) {
   item.rebuilt(rebuilt_reason);
-  item.expect_checks(7);
-  item.columns({{"ωA, in/s", "{:.3g}"},
-                {"ωθ, rad/s", "{:.3g}"},
+  item.expect_checks(5);
+  item.columns({{"ω<sub>c</sub>A<sub>c</sub>, in/s", "{:.3g}"},
+                {"ω<sub>c</sub>θ<sub>c</sub>, rad/s", "{:.3g}"},
                 {"new: V, ft/s", "{:.1f}"},
                 {"ω, rad/s", "{:.1f}"},
-                {"CN A: V", "{:.1f}"},
-                {"ω", "{:.1f}"},
-                {"Heumann: V", "{:.1f}"},
-                {"ω", "{:.1f}"}});
-  Range low_omega, high_omega, cn_speed, cn_omega, ratio;
-  double fit_low = 0;
-  const auto add = [&](double rotation, Range& omega) {
-    const double translation = translation_for(rotation);
-    const CarParameters data = with_dampers(translation, rotation);
-    std::array<Critical, damped_cars> at{};
-    for (std::size_t w = 0; w < at.size(); ++w) at[w] = first_critical(data, vehicles()[w]);
-    omega.add(at[0].omega);
-    if (rounds_to_12(at[0])) {
-      cn_speed.add(at[1].speed), cn_omega.add(at[1].omega), ratio.add(at[1].speed / 145);
-      if (fit_low == 0) fit_low = rotation;
-    }
-    item.add_row(translation / inch, rotation, at[0].speed, at[0].omega, at[1].speed, at[1].omega,
-                 at[2].speed, at[2].omega);
-  };
-  for (const double rotation : lower) add(rotation, low_omega);
-  for (const double rotation : upper) add(rotation, high_omega);
-  int others = 0;
-  for (const double rotation : {0.0005, 0.001, 0.002, 0.004})
-    others += std::isfinite(translation_for(rotation)) ? 1 : 0;
-  item.verify("gap", "no dampers between the two stretches give 145 ft/s", others == 0,
-              fmt::format("{} of four rotations tried", others),
-              "the first critical speed over translations of 1 to 1000 in/s");
+                {"CN A: V, ft/s", "{:.1f}"},
+                {"ω, rad/s", "{:.1f}"},
+                {"Heumann: V, ft/s", "{:.1f}"},
+                {"ω, rad/s", "{:.1f}"}});
+  const auto low = fitted_dampers(lower), high = fitted_dampers(upper);
+  for (const auto& group : {low, high})
+    for (const auto& [rotation, translation, at] : group)
+      item.add_row(translation / inch, rotation, at[0].speed, at[0].omega, at[1].speed, at[1].omega,
+                   at[2].speed, at[2].omega);
+  const int others = between_the_groups();
+  item.claim_if("gap", others == 0, {double(others)});
+  const LeftOpen left = left_open(high);
   item.print("frequency-new", "frequency with new wheels", "rad/s", "12",
              vehicle("new").hopf[0].motion.lambda.imag(),
              report::fitted("the stretch of dampers was chosen for it"));
-  const double half = 0.5 * cn_omega.width();
+  const double half = 0.5 * left.cn_omega.width();
   item.print("frequency-cn", "frequency, CN A, middle of those with dampers for 145 and 12",
-             "rad/s", "21", cn_omega.low + half,
+             "rad/s", "21", left.cn_omega.low + half,
              report::absolute(half + 0.5, "half of what these dampers leave open, half a digit"));
   report::Trial rise = item.trial("frequencies-rise", "frequency, CN A over new wheels", "{:.2f}",
                                   [](double r) { return r > words::much; });
   rise.vary("dampers that give 145 ft/s and 12 rad/s, by the rate of rotation",
-            [](const report::Setting& s) {
-              const CarParameters data = with_dampers(translation_for(s.number), s.number);
-              return first_critical(data, vehicle("cn")).omega /
-                     first_critical(data, vehicle("new")).omega;
-            });
-  claim(item, "frequencies-rise", rise, rise.range() + " times with CN A wheels");
+            [](const report::Setting& s) { return frequency_ratio(s.number); });
+  item.claim("frequencies-rise",
+             "the frequency before the flange is quite a bit smaller for the new wheel (much)",
+             rise, rise.range() + " times with CN A wheels");
   const auto speed = [](const char* key) { return vehicle(key).hopf[0].motion.speed / foot; };
-  consistent(item, "lower-speeds", std::max(speed("cn"), speed("heumann")) < speed("new"),
-             fmt::format("CN A {:.0f}, Heumann {:.0f} ft/s with our dampers", speed("cn"),
-                         speed("heumann")),
-             fmt::format("other dampers that give 145 ft/s and 12 rad/s give up to {:.0f} ft/s "
-                         "with CN A wheels",
-                         cn_speed.high));
+  item.consistent(
+      "lower-speeds", "cars with CN A and Heumann wheels hunt at lower speeds",
+      std::max(speed("cn"), speed("heumann")) < speed("new"),
+      fmt::format("CN A {:.0f}, Heumann {:.0f} ft/s with our dampers", speed("cn"),
+                  speed("heumann")),
+      fmt::format("other dampers that give 145 ft/s and 12 rad/s give up to {:.0f} ft/s "
+                  "with CN A wheels",
+                  left.cn_speed.high));
   much_lower(item);
-  consistent(item, "much-lower-heumann", speed("heumann") < speed("new") / words::much,
-             fmt::format("{:.0f} ft/s", speed("heumann")),
-             "the profile was chosen for the printed 26 rad/s; the dampers are ours");
-  const auto rate = [](const Range& r, const char* unit) {
-    return fmt::format("{:.0f} to {:.0f} {}", r.low, r.high, unit);
-  };
-  item.value("lower-omega", rate(low_omega, "rad/s"));
-  item.value("upper-omega", rate(high_omega, "rad/s"));
-  item.value("fit-low", fit_low, "rad/s", "{:.3f}");
-  item.value("fit-cn", rate(cn_omega, "rad/s"));
-  item.value("cn-speeds", rate(cn_speed, "ft/s"));
-  item.value("cn-ratio", fmt::format("{:.2f} to {:.2f}", ratio.low, ratio.high));
+  item.claim_if("much-lower-heumann", speed("heumann") < speed("new") / words::much,
+                {speed("heumann")});
+  item.value("lower-omega", new_wheel_frequencies(low).text(1, "rad/s"));
+  item.value("upper-omega", new_wheel_frequencies(high).text(1, "rad/s"));
+  item.value("fit-low", left.lowest_rotation, "rad/s", "{:.3f}");
+  item.value("fit-cn", left.cn_omega.text(0, "rad/s"));
+  item.value("cn-speeds", left.cn_speed.text(0, "ft/s"));
+  item.value("cn-ratio",
+             fmt::format("{:.2f} to {:.2f}", left.cn_speed.low / 145, left.cn_speed.high / 145));
 }
 
 }  // namespace
 
-const report::Section critical{
-    report::table("critical-speeds",
-                  "New wheels begin to hunt with their trucks together, worn ones with their "
-                  "trucks opposed. All critical speeds of the linear car up to 400 ft/s",
-                  critical_speeds),
-    report::table("dampers",
-                  "Dampers that give 145 ft/s with new wheels leave the speed with CN wheels open. "
-                  "A row a pair of dampers, along the two stretches of the curve",
-                  dampers)};
+const report::Section critical{report::table("critical-speeds", critical_speeds),
+                               report::table("dampers", dampers)};
 
 }  // namespace railbook::hunting_chapter

@@ -1,10 +1,10 @@
 /***
 ## One sine instead of a curve: describing functions
 
-The constraint functions bend sharply at the flange, and no linear equation can contain that. But a
-limit cycle is nearly a sine. A sine of amplitude $A$ that passes through a nonlinear function $f$
-comes out distorted; its *describing function* $N(A)$ is the factor that comes closest to it in the
-mean square (the paper's (7)). For an odd function it is
+The constraint functions bend sharply at the flange, and no linear equation can contain that. But
+each wheelset of a limit cycle moves nearly as a sine. A sine of amplitude $A$ that passes through a
+nonlinear function $f$ comes out distorted; its *describing function* $N(A)$ is the factor that
+comes closest to it in the mean square (the paper's (7)). For an odd function it is
 
 $$N(A)=\frac2{\pi A}\int_0^\pi f(A\sin\tau)\sin\tau\,d\tau , \tag{8}$$
 
@@ -16,13 +16,14 @@ $$\Delta m_k\Big[1-\frac2\pi\big(\arcsin\beta+\beta\sqrt{1-\beta^2}\big)\Big],\q
   \beta=\frac{x_k}A,$$
 
 as soon as $A$ exceeds $x_k$. The function `evaluate` adds these terms up for $R$, $D$ and $\Phi$ at
-once. It begins with the slope in the middle, stops at the first bend that the sine does not reach,
-and collects the derivative $dN/dA$ as well, which Newton's method needs.
+once. It begins with the slope in the middle and stops at the first bend that the sine does not
+reach. The factor `outer` is the bracket above; `rise` gives the derivative $dN/dA$, which Newton's
+method needs.
 
 {{code: vehicle/describing_function.cpp evaluate}}
 
-The next three figures are the paper's Figures 7 to 9 with our profiles. The paper calls the first
-one *conicity*; which of the other two is its Figure 8 is not legible.
+{{fig-07}}, and the two that are folded below it, are the paper's Figures 7 to 9 with our profiles.
+They give the gain of a function of $x_w/a$, as the paper does, which is $aN(A)$; for $R$ this is the conicity. Which of the other two is the paper's Figure 8 is not legible.
 
 {{fig-07}}
 
@@ -34,19 +35,19 @@ one *conicity*; which of the other two is its Figure 8 is not legible.
 
 :::
 
+::: {.fold summary="What the text says of the describing functions, and what was found"}
+
 The paper says that the functions decrease once the contact has passed the steepest part of the
 flange. With our flanges $N_D$ does so. $N_R$ and $N_\Phi$ fall clearly with the Heumann wheel only;
 with the other two $N_R$ levels off and $N_\Phi$ rises to the end. Which way the paper's went
 depends on the height and the tip of its flanges, which are lost, so this is not tested.
 
-::: {.fold summary="What the text says of the describing functions, and what was found"}
-
 {{describing-claims}}
 
 :::
 
-**Dry friction** opposes the rate $\dot s$ of a joint with a constant force $F_0$, and its gain falls
-with the amplitude $A$ of that *rate*:
+**Dry friction** opposes the rate $\dot s$ of a joint with a constant force $F_0$, and its gain
+falls with the amplitude $A$ of that *rate*:
 
 $$F_s=F_0\,\mathrm{sign}\,\dot s, \tag{11}$$
 
@@ -89,7 +90,8 @@ double largest_at(const Vehicle& v, Function f) {
   return found;
 }
 
-// Amplitude of the largest N_D, and displacement of the largest D, where the flange is steepest [in].
+// Amplitude of the largest N_D, and displacement of the largest D, where the flange is steepest
+// [in].
 struct Steep {
   double gain_at, function_at;
 };
@@ -117,13 +119,34 @@ void curves(report::Item& item, Function f) {
              gain(vehicle("heumann"), f, 0.0025 * k));
 }
 
+// Whether the gains of a wheel are constant, within a tenth, up to an amplitude [in].
+bool constant_up_to(const Vehicle& v, double calm) {
+  constexpr double tiny = 0.01;
+  for (const Function f : {R, D, Phi})
+    for (double a = tiny; a <= calm; a += tiny)
+      if (std::abs(gain(v, f, a) - gain(v, f, tiny)) > words::nearly * gain(v, f, tiny) + 1e-9)
+        return false;
+  return true;
+}
+
+// Where a wheel's conicity is least before the flange, and how much of that at 0.17 in is left.
+struct Dip {
+  double part = 10, at = 0;
+};
+Dip conicity_dip(const Vehicle& v) {
+  Dip dip;
+  for (double at = 0.05; at < v.flange / inch; at += 0.001)
+    if (const double n = gain(v, R, at); n < dip.part) dip = {n, at};
+  return {dip.part / gain(v, R, 0.17), dip.at};
+}
+
 void describing_claims(report::Item& item) {
   item.rebuilt("the paper's profiles are lost");
-  item.expect_checks(5);
-  item.columns(headings("{:.4f}", {"wheel", "N_R at 0.05 in", "N_D", "N_Φ", "N_D is largest at, in",
-                                   "D is largest at, in"}));
+  item.columns(
+      headings("{:.4f}", {"wheel", "N<sub>R</sub> at 0.05 in", "N<sub>D</sub>", "N<sub>Φ</sub>",
+                          "N<sub>D</sub> is largest at, in", "D is largest at, in"}));
   const Vehicle &fresh = vehicle("new"), &heumann = vehicle("heumann");
-  const double tiny = 0.01, small = 0.05, calm = 0.1, large = 0.75;
+  const double small = 0.05, calm = 0.1, large = 0.75;
   Range ratio;
   bool falls = true, constant = true;
   double least_rise = 1e9;
@@ -131,33 +154,20 @@ void describing_claims(report::Item& item) {
     const Steep at = steepest(*v);
     ratio.add(at.gain_at / at.function_at);
     falls = falls && gain(*v, D, large) < gain(*v, D, at.gain_at);
-    for (const Function f : {R, D, Phi}) {
-      const double first = gain(*v, f, tiny);
-      for (double a = tiny; a <= calm; a += tiny)
-        constant = constant && std::abs(gain(*v, f, a) - first) <= words::nearly * first + 1e-9;
-      least_rise = std::min(least_rise, steepest_rise(*v, f));
-    }
+    constant = constant && constant_up_to(*v, calm);
+    for (const Function f : {R, D, Phi}) least_rise = std::min(least_rise, steepest_rise(*v, f));
     item.add_row(v->name, gain(*v, R, small), gain(*v, D, small), gain(*v, Phi, small), at.gain_at,
                  at.function_at);
   }
-  consistent(
-      item, "df-tread", constant && least_rise > words::much,
-      fmt::format("all nine up to {} in; past it {:.1f} times or more within a tenth of amplitude",
-                  calm, least_rise));
-  consistent(item, "df-maximum", ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
-             fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is",
-                         ratio.low, ratio.high));
-  consistent(item, "df-beyond", falls, "at the table's end all three N_D are past their largest");
+  item.claim_if("df-tread", constant && least_rise > words::much, {calm, least_rise});
+  item.claim_if("df-maximum", ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
+                {ratio.low, ratio.high});
+  item.claim_if("df-beyond", falls);
   const auto apart = [&](double at) { return gain(heumann, R, at) / gain(fresh, R, at); };
-  consistent(item, "df-differences", apart(small) > words::much * apart(large),
-             fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in",
-                         apart(small), apart(large)));
-  double dip = 10, dip_at = 0;
-  for (double at = 0.05; at < heumann.flange / inch; at += 0.001)
-    if (const double n = gain(heumann, R, at); n < dip) dip = n, dip_at = at;
-  const double part = dip / gain(heumann, R, 0.17);
-  consistent(item, "conicity-dip", part < 1,
-             fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
+  item.claim_if("df-differences", apart(small) > words::much * apart(large),
+                {apart(small), apart(large)});
+  const Dip dip = conicity_dip(heumann);
+  item.claim_if("conicity-dip", dip.part < 1, {dip.part, dip.at});
   item.value("friction-difference",
              100 * (1 - regularized_friction(1, 0.1, 1).value / ideal_friction(1, 1).value), "%",
              "{:.2f}");
@@ -166,23 +176,9 @@ void describing_claims(report::Item& item) {
 }  // namespace
 
 const report::Section describing{
-    report::figure(
-        "fig-07",
-        "The gain of R, the conicity, is nearly constant until the flange is met, and then rises. "
-        "$N_R$ against amplitude; the paper's Figure 7 with profiles of ours.",
-        [](report::Item& item) { curves(item, R); }),
-    report::figure("fig-08",
-                   "The gain of the contact angles is largest on the flange and falls beyond. "
-                   "$N_D$ against amplitude; the paper's Figure 8 with profiles of ours.",
-                   [](report::Item& item) { curves(item, D); }),
-    report::figure(
-        "fig-09",
-        "The gain of the roll is about the same for new and CN wheels before the flange. $N_\\Phi$ "
-        "against amplitude; the paper's Figure 9 with profiles of ours.",
-        [](report::Item& item) { curves(item, Phi); }),
-    report::table("describing-claims",
-                  "The describing functions do what the text says of them. Values at a small "
-                  "amplitude, and where the largest are",
-                  describing_claims)};
+    report::figure("fig-07", [](report::Item& item) { curves(item, R); }),
+    report::figure("fig-08", [](report::Item& item) { curves(item, D); }),
+    report::figure("fig-09", [](report::Item& item) { curves(item, Phi); }),
+    report::table("describing-claims", describing_claims)};
 
 }  // namespace railbook::hunting_chapter

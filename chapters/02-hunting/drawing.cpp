@@ -1,8 +1,4 @@
 /***
-The drawing at the head of the page is to scale but for the motions. The two small cars below are
-the modes of the linear car with new wheels at its two critical speeds, at the moment when the front
-truck is farthest to the left.
-
 {{fold}}
 */
 
@@ -157,12 +153,6 @@ void drawing(report::Item& item) {
 
 }  // namespace
 
-const report::Section drawings{report::figure(
-    "drawing",
-    "The shape of its wheels makes a car hunt. Top: a wheelset (two wheels on one axle) that is "
-    "off the middle rolls on two radii and steers back across the track, again and again. Middle: "
-    "the car from above with its nine coordinates; wheels black, side frames orange, body blue. "
-    "Bottom: the two kinds of hunting, computed for small motions of our car.",
-    drawing)};
+const report::Section drawings{report::figure("drawing", drawing)};
 
 }  // namespace railbook::hunting_chapter

@@ -53,7 +53,7 @@ set arrow from x, 1.0 to x, 4.3 as 3
 set arrow from 0, 4.1 to x, 4.1 as 1
 set label "x_w" at x - 0.15, 4.15 right
 set arrow from -g, -0.72 to g, -0.72 as 2
-set label "2a" at 0.12, -0.42
+set label "2a" at -1.0, -0.42
 set arrow from 0.75, R to 1.3, R as 3
 set label "φ_w" at -0.05, pz(0.5, 0) - 0.33 left font ",11"
 top = pz(-g - x, -rad(g + x)); w = atan(taper) + turn
@@ -96,7 +96,7 @@ set lmargin at screen 5/W; set rmargin at screen 735/W
 set bmargin at screen 195/H; set tmargin at screen 402/H
 set xrange [-24.8:24.8]; set yrange [-7.25:6.815]
 set arrow from -24.5, 0 to 24.5, 0 as 3
-set label "from above: the nine coordinates, much enlarged" at screen 8/W, screen 393/H left font ",12"
+set label "from above: the nine coordinates, enlarged" at screen 8/W, screen 400/H left font ",12"
 set label "car body" at -4.5, -2.5 tc rgb blue
 plot ARG1 using (part("body")):3 with lines ls 4, \
      ARG1 using (part("frame")):3 with lines ls 3, \

@@ -12,8 +12,8 @@ set xrange [0:0.75]
 set xtics 0.2
 unset key
 do for [k = 1:2] {
-  set lmargin at screen (78 + 355*(k - 1))/W
-  set rmargin at screen (78 + 355*(k - 1) + 280)/W
+  set lmargin at screen (78 + 352*(k - 1))/W
+  set rmargin at screen (78 + 352*(k - 1) + 264)/W
   unset xlabel
   unset label
   set format x ""
@@ -22,7 +22,7 @@ do for [k = 1:2] {
   set bmargin at screen (H - 185)/H
   set yrange [0:1.25]
   set ytics 0.5
-  set ylabel (k == 1 ? "over X_{TR}" : "") offset 1
+  set ylabel (k == 1 ? "amplitude / X_{TR}" : "") offset 1
   set label 1 name[k] at graph 0,1.09 left font ",13"
   set label 2 "X_{TF}" at (k == 1 ? 0.6 : 0.1),(k == 1 ? 1.13 : 0.68) tc rgb black
   set label 3 "X_C" at (k == 1 ? 0.46 : 0.1),(k == 1 ? 0.14 : 0.32) tc rgb blue
@@ -34,11 +34,11 @@ do for [k = 1:2] {
   set bmargin at screen (H - 362)/H
   set yrange [0:0.45]
   set ytics 0.2
-  set ylabel (k == 1 ? "rad/ft of X_{TR}" : "") offset 1
-  set label 1 "θ_{WR}" at 0.65,0.33 tc rgb blue
-  set label 2 "θ_{TR}" at 0.66,0.16 tc rgb black
-  set label 3 "θ_C" at 0.69,(k == 1 ? 0.08 : 0.053) tc rgb red
-  set label 4 "φ_C" at (k == 1 ? 0.36 : 0.5),(k == 1 ? 0.18 : 0.055) tc rgb green
+  set ylabel (k == 1 ? "rad per ft of X_{TR}" : "") offset 1
+  set label 1 "θ_{WR}" at 0.775,0.38 tc rgb blue
+  set label 2 "θ_{TR}" at 0.775,0.15 tc rgb black
+  set label 3 "θ_C" at 0.775,(k == 1 ? 0.075 : 0.015) tc rgb red
+  set label 4 "φ_C" at 0.775,(k == 1 ? 0.01 : 0.083) tc rgb green
   plot file[k] using "A_in":"TH_TR" with lines lt 1, \
        file[k] using "A_in":"TH_WR" with lines lt 2, \
        file[k] using "A_in":"TH_C" with lines lt 3, \

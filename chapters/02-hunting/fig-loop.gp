@@ -13,7 +13,7 @@ set bmargin at screen 62/H
 set lmargin at screen 78/W
 set rmargin at screen 600/W
 set xlabel "speed V, ft/s"
-set ylabel "largest amplitude A, in" offset 0
+set ylabel "largest amplitude A, in" offset 1
 set xrange [90:250]
 set label 1 "by continuation:" at 182,0.3 tc rgb red
 set label 2 "first family (solid)" at 186,0.255 tc rgb red

@@ -7,9 +7,9 @@ the wheelset stands a distance $x_w$ left of the middle of the track, its left w
 radius $r_L$ that is larger than the right one, $r_R$. The left side then runs ahead, the wheelset
 turns to the right, rolls back across the middle, and the same happens on the other side.
 
-The *conicity* $\lambda$ measures this: $r_L-r_R=2\lambda x_w$ for small $x_w$. The wave that
-follows has a fixed length. The faster the car, the faster it runs through the wave, and the larger
-are the forces of inertia; above some speed they make the wave grow.
+The *conicity* $\lambda$ measures this: $r_L-r_R=2\lambda x_w$ for small $x_w$. So a wheelset runs
+in a wave, whose length does not depend on the speed. The faster the car runs through this wave, the
+larger are the forces of inertia; above some speed they make the wave grow.
 
 **Constraint functions.** A wheelset on two rails cannot rise or roll about the track's axis by
 itself: its place across the track decides how it lies. Five functions of the lateral displacement
@@ -33,8 +33,8 @@ lost. Ours are chains of circular arcs and straight lines without corners:
 * Rails have a crown of 10 in radius, shoulders of 1¼ in and corners of 3/8 in when new, are flatter
   and then sharper when worn, and lean inwards by 1:40.
 * The new wheel is a cone of 1:20, and an arc of 11/16 in radius (the *throat*) leads to the flange.
-  CN profile A has a hollow of {{cn-radius}} radius and the Heumann wheel one of
-  {{heumann-radius}}. All flanges stand at 70°.
+  CN profile A has a hollow of {{cn-radius}} radius and the Heumann wheel one of {{heumann-radius}}.
+  All flanges stand at 70°.
 
 The remaining lengths were chosen so that the profiles have the properties that the text states.
 They can therefore not test those statements; a test of the library makes sure that they have them.
@@ -43,14 +43,14 @@ half the distance of the rails' *heads*.
 
 :::
 
-**Contact.** Wheelset and rails are rigid, so both sides touch where the vertical gap is least.
-The place is found arc by arc:
+**Contact.** Wheelset and rails are rigid, so both sides touch where the vertical gap is least. The
+place is found arc by arc:
 
 ::: {.fold summary="The least gap between two chains of arcs"}
 
-Let $h(x_w,\phi_w)$ be the least vertical gap between the left wheel and its rail when
-the wheelset is moved by $x_w$ and rolled by $\phi_w$ at a given height. Both sides must touch at
-once, and the right side is the mirror image of the left one, so
+Let $h(x_w,\phi_w)$ be the least vertical gap between the left wheel and its rail when the wheelset
+is moved by $x_w$ and rolled by $\phi_w$ at a given height. Both sides must touch at once, and the
+right side is the mirror image of the left one, so
 
 $$h(x_w,\phi_w)=h(-x_w,-\phi_w),$$
 
@@ -79,29 +79,28 @@ one, and the two ends. The least of all is the contact, exact to rounding.
 
 :::
 
-The last part of each figure shows the left wheel lifted off its rail; lines join the points that
+The lower part of each figure shows the left wheel lifted off its rail; lines join the points that
 touch while the wheelset moves from {{far}} right to {{far}} left. Where the contact jumps from one
-place to another, two points touch at once (*two-point contact*, the thick pair of lines), and the
-functions jump. The equations of motion take them as tables with a value every 0.0025 in, smoothed
-by a running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is
-shown in {{stability-range}}.
+place to another, two points touch at once, which is called *two-point contact* (the thick pair of
+lines), and the functions jump. The equations of motion contain them as tables with a value every
+0.0025 in. We smooth the tables by a running mean over {{mean}}, which turns a jump into a ramp;
+{{stability-range}} shows what this width does to the results.
 
 **Flange contact** is a term that the paper does not define. Here it begins where the left wheel
 leaves its tread for the arc between tread and flange, less half the width of the running mean: at
 {{flange-new}} with new wheels, {{flange-cn}} with CN and {{flange-heumann}} with Heumann wheels.
 For the new wheel this is the jump to the flange, at {{jump-new}}. The two worn profiles have a
-rounding (*fillet*) first. A CN wheel comes to its fillet at a contact angle of only {{fillet-cn}},
-and jumps to the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement
-needs the jump, its row says so.
+rounding first, a *fillet*. A CN wheel comes to its fillet at a contact angle of only {{fillet-cn}},
+and jumps to the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a claim below
+needs the jump and not the fillet, its row says so.
 
 ::: {.fold summary="How words of the paper, as nearly and much, are read as numbers"}
 
-Each word of the paper is read alike in the whole chapter, by one rule. The
-rule was written down when first results were known, so it is no prediction. *Constant*,
-*vertical*, *the same* mean within 1 %, the width of a printed line. *Nearly*, *about*,
-*insignificant* mean a tenth; *small* and *low* mean below half. *Much*, *large*, *drastically*,
-*abruptly* mean by $\sqrt2$ or more, nearer to twice than to the same; *slightly* means by less, and
-*several* twice or more.
+Each word of the paper is read alike in the whole chapter, by one rule. The rule was written down
+when first results were known, so it is no prediction. *Constant*, *vertical*, *the same* mean
+within 1 %, the width of a printed line. *Nearly*, *about*, *insignificant* mean a tenth; *small*
+and *low* mean below half. *Much*, *large*, *drastically*, *abruptly* mean by $\sqrt2$ or more,
+nearer to twice than to the same; *slightly* means by less, and *several* twice or more.
 
 :::
 
@@ -118,6 +117,8 @@ rule was written down when first results were known, so it is no prediction. *Co
 
 #include <algorithm>
 #include <cmath>
+
+#include <railbook/report/values.hpp>
 
 #include "vehicles.hpp"
 
@@ -186,6 +187,20 @@ void constraints(report::Item& item, const NamedPair& named) {
   }
 }
 
+// How far a wheel's flange rises above the tread's height at the rolling circle [m].
+double flange_height(const WheelsetOnTrack& pair) {
+  const Curve& wheel = pair.wheel();
+  const double circle = wheel.height(pair.contact(0).left.on_wheel.u);
+  double lowest = circle;
+  for (double t = 0; t <= 1; t += 0.001)
+    lowest = std::min(lowest, wheel.height(std::lerp(wheel.start().u, wheel.end().u, t)));
+  return circle - lowest;
+}
+
+double hollow_radius(const NamedPair& named) {
+  return named.pair().wheel().pieces()[1].radius;
+}
+
 void geometry_claims(report::Item& item) {
   item.rebuilt("the profiles were chosen to have these properties");
   item.expect_checks(2);
@@ -206,44 +221,19 @@ void geometry_claims(report::Item& item) {
   }
   const double fillet = flange_begins(cn.pair(), 0);
   item.value("fillet-cn", cn.pair().contact(fillet).left.delta / units::degree, "°", "{:.1f}");
-  item.value("mean", table_mean / inch, "in", "{:.2f}");
-  const Curve& wheel = fresh.pair().wheel();
-  const double circle = wheel.height(fresh.pair().contact(0).left.on_wheel.u);
-  double lowest = circle;
-  for (double t = 0; t <= 1; t += 0.001)
-    lowest = std::min(lowest, wheel.height(std::lerp(wheel.start().u, wheel.end().u, t)));
-  item.value("flange-height", (circle - lowest) / inch, "in", "{:.2f}");
-  item.value("gauge", paper_track.gauge / inch, "in", "{:.1f}");
-  item.value("half-gauge", 0.5 * paper_track.gauge / inch, "in", "{:.2f}");
-  item.value("half-spacing", a / inch, "in", "{:.2f}");
-  item.value("cn-radius", cn.pair().wheel().pieces()[1].radius / inch, "in", "{:.1f}");
-  item.value("heumann-radius", heumann.pair().wheel().pieces()[1].radius / inch, "in", "{:.1f}");
-  item.value("far", far / inch, "in", "{:.2f}");
+  report::values(item, "in", "{:.2f}", "mean", table_mean / inch, "flange-height",
+                 flange_height(fresh.pair()) / inch, "half-gauge", 0.5 * paper_track.gauge / inch,
+                 "half-spacing", a / inch, "far", far / inch);
+  report::values(item, "in", "{:.1f}", "gauge", paper_track.gauge / inch, "cn-radius",
+                 hollow_radius(cn) / inch, "heumann-radius", hollow_radius(heumann) / inch);
 }
 
 }  // namespace
 
 const report::Section geometry{
-    report::figure("fig-03",
-                   "A new wheel changes its rolling radius at once where the flange is met. Top: "
-                   "rolling radii, contact angles with D, and R with the roll angle, against "
-                   "displacement over a. Bottom: the left wheel, lifted, and its rail, to scale. "
-                   "The paper's Figure 3 with profiles of ours.",
-                   [](report::Item& item) { constraints(item, fresh); }),
-    report::figure(
-        "fig-04",
-        "A hollow CN wheel steers three times as strongly and comes to its flange in two steps. "
-        "Drawn as the figure before, on a new rail; the paper's Figure 4 with profiles of ours.",
-        [](report::Item& item) { constraints(item, cn); }),
-    report::figure(
-        "fig-05",
-        "A modified Heumann wheel steers most strongly and meets its flange first. Drawn as the "
-        "figures before, on a worn rail; the paper's Figure 5 with profiles of ours.",
-        [](report::Item& item) { constraints(item, heumann); }),
-    report::table(
-        "geometry-claims",
-        "Worn wheels meet a fillet before they jump to the flange. Displacements at which the left "
-        "wheel leaves its tread and at which contact jumps, and two printed numbers",
-        geometry_claims)};
+    report::figure("fig-03", [](report::Item& item) { constraints(item, fresh); }),
+    report::figure("fig-04", [](report::Item& item) { constraints(item, cn); }),
+    report::figure("fig-05", [](report::Item& item) { constraints(item, heumann); }),
+    report::table("geometry-claims", geometry_claims)};
 
 }  // namespace railbook::hunting_chapter

@@ -14,21 +14,23 @@ motions begin to grow. R. Hull and N. K. Cooperrider asked in 1976 how far such 
 :::
 
 ::: findings
-1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s with new
-   wheels, at 12 rad/s, and that with worn wheels of the Canadian National's profile A (CN), at 21
-   rad/s, it hunts at a "much lower" speed. For this the paper replaces the dry friction of the car's
-   suspension by dampers, on which the speed depends and which the text does not give. With all dampers that we tried and that give 145 ft/s and 12 rad/s, the car on CN wheels
-   hunts at {{fit-cn}}, as printed, and from {{cn-speeds-tried}} on, which is not much lower
+1. **From which speed does an empty freight car hunt?** By the paper, with new wheels from 145 ft/s
+   on, at 12 rad/s, and with worn wheels of the Canadian National's profile A (CN) from a "much
+   lower" speed on, at 21 rad/s. Both speeds depend on dampers that take the place of the dry
+   friction of the suspension, and that the text does not give. We tried many sets of dampers that
+   give 145 ft/s and 12 rad/s with new wheels. With all of them the car on CN wheels hunts at
+   {{fit-cn}}, as printed, but begins at {{cn-speeds-tried}}, which is not much lower
    ({{outcome:dampers/much-lower-cn}}). The CN profile is lost; ours steers three times as strongly
    as the new wheel, as printed.
-2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit
-   cycle, a periodic motion to which others settle, "extends to a high velocity". By its own method,
-   which puts a gain in the place of each nonlinear function, it does. By the full equations with
-   the paper's linear law of contact forces it becomes unstable between {{torus-range}}, depending
-   on the dampers and on how we smooth the jump of the contact from the wheel's running surface to
-   its flange; without smoothing, and with some dampers, it is not stable at all. When friction
-   limits the contact forces (coefficients of 0.2 to 0.4), stable hunting begins at {{creep-begins}}
-   already, below the speed at which small motions grow. Profiles, dampers and friction are ours.
+2. **Up to which speed does hunting go on steadily?** The paper says that with new wheels a stable
+   limit cycle, a periodic motion to which the car comes back after a small disturbance, "extends to
+   a high velocity". By its own method, which puts a gain in the place of each nonlinear function,
+   we find the same. By the full equations, with the paper's linear law of contact forces, this
+   motion becomes unstable between {{torus-range}}. The place depends on the dampers, and on how we
+   smooth the jump of the contact from the wheel's running surface to its flange. With some dampers,
+   or without smoothing, the motion is nowhere stable. If friction limits the contact forces
+   (coefficients of 0.2 to 0.4), stable hunting begins already at {{creep-begins}}, below the speed
+   at which small motions grow. Profiles, dampers and friction are ours.
 3. **Are the creep coefficients Kalker's full values, as the paper says?** These coefficients give
    the contact forces of a wheel that slips a little. The printed ones are {{creep-range}} those
    computed by Kalker's theory ({{outcome:creep-coefficients/full-kalker}}), for all shapes and
@@ -36,18 +38,22 @@ motions begin to grow. R. Hull and N. K. Cooperrider asked in 1976 how far such 
    the paper has lost.
 :::
 
-The paper's idea is to replace every nonlinear function by a number, its *describing function*: the
-gain that a sine of a given amplitude feels. With these numbers the car is linear again, and one
-looks for the speed at which a motion of that amplitude neither grows nor dies. This page follows
-the paper: wheel and rail, the car, the gains, the search for limit cycles, their amplitudes and
-shapes. At the end it asks of the full equations whether the cycles that were found exist and are
-stable.
+Hunting that neither grows nor dies is a *limit cycle*: a periodic motion that the car keeps up by
+itself. It is *stable* if the car comes back to it after a small disturbance. To find limit cycles,
+the paper replaces every nonlinear function by a number, its *describing function*: the gain that a
+sine of a given amplitude feels. With these numbers the car is linear again, and one looks for the
+speed at which a motion of that amplitude neither grows nor dies.
+
+This page follows the paper: wheel and rail, the car, the gains, the search for limit cycles, their
+amplitudes and shapes. At the end we solve the *full equations*, without that replacement, and ask
+whether the cycles that were found exist and are stable. Units are the paper's: lb is the force of a
+pound (4.448 N), and a slug is the mass to which it gives 1 ft/s² (14.59 kg).
 
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
 wheel and rail and part of its table of data are lost or illegible. We rebuilt profiles that fit
-what the text says of them. What is shown with these profiles and with dampers of our own counts as
-*consistent* with the paper at most. We say *confirmed* only of what follows from any straight cone,
-or from the printed conicity with all dampers that fit.
+what the text says of them. Results that depend on our own profiles or dampers are called
+*consistent* with the paper at best. We write *confirmed* only if a result holds for any straight
+cone, or follows from the printed conicity with every setting of dampers that fits.
 
 {{include: geometry.cpp}}
 
@@ -74,20 +80,22 @@ or from the printed conicity with all dampers that fit.
 ## Deviations
 
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is
-  {{cn-ratio-tried}} that with new wheels, for all dampers that were tried and meet the printed 145
-  ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, contact angles from none to twice
-  ours, and from the printed frequencies alone.
+  {{cn-ratio-tried}} that with new wheels in all our trials: with every set of dampers that gives
+  the printed 145 ft/s and 12 rad/s, with slopes of 2.5 to 3.5 times the new wheel's, with contact
+  angles from none to twice ours, and by the printed frequencies alone.
 
 ::: {.fold summary="What we found of our own profiles, which says nothing against the paper"}
 
 * With linear creep the full equations lose the stable cycles of new wheels on the flange between
-  {{torus-range}}, long before the describing functions do.
+  {{torus-range}}, long before the describing functions do. With {{nowhere}} running means and sets
+  of dampers that we tried they have none.
 * The stable cycles of CN wheels with both trucks on the flange exist only with other dampers than
   ours.
-* Three frequencies approach 30.5 rad/s on the flange by describing functions, and less closely by
-  the full equations.
-* A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to
-  the other. It finds the first one again only when it is started there.
+* On the flange the frequencies of the three wheels lie {{quasi-apart}} apart about {{quasi-mean}} by
+  describing functions, and {{exact-apart}} apart about {{exact-mean}} by the full equations. The
+  paper says that they approach 30.5 rad/s.
+* The paper's search, swept up in amplitude from the critical speed, goes over from one family of
+  cycles to the other. It finds the first one again only when it is started there.
 
 :::
 
@@ -98,12 +106,12 @@ not change its contact, as in the paper. The contact is the point of the least *
 curves in one plane. How tread and flange share the load needs an elastic model.
 
 The flanges of our wheels rise {{flange-height}} above the tread's height at the rolling circle,
-where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6 in stand on their
-upper part.
+where those of North American wheels rise about 1 in. At amplitudes beyond some 0.6 in a wheel rides
+on this upper part, which real wheels do not have.
 
 **Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the
-suspension is made viscous below small rates, and results at hundredths of an inch depend on how.
-Only cycles whose second half mirrors the first are searched for, along branches from critical
+suspension is made viscous below small rates, and results at hundredths of an inch depend on these
+rates. We search only for cycles whose second half mirrors the first, along branches from critical
 speeds and from cycles with front and rear exchanged.
 
 ## Use it
@@ -159,8 +167,9 @@ $ railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --gauge 5
 
 * `railbook hunting cycle --pair cn --suspension friction` follows the first family of the car with
   friction; the one of {{fig-11}} comes with `--family 2`.
-* Continue the cycles in another datum than speed (`vehicle::by_datum`). The friction of the centre
-  plates would be the first to try, as it alone tells front from rear.
+* Follow the cycles along another datum than speed (`vehicle::by_datum`). The friction of the centre
+  plates would be the first to try, because it alone couples the trucks to the yaw of the body in a
+  way that differs between front and rear.
 
 ## Symbols
 

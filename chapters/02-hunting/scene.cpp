@@ -30,7 +30,8 @@ constexpr double enlarged = 40;
 const scene::Colour orange{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, grey{0.45, 0.48, 0.53},
     red{0.75, 0.1, 0.1};
 
-// Where a body is: x ahead, y to the left, z up [m], turned by yaw about z and by roll about x (left side up).
+// Where a body is: x ahead, y to the left, z up [m], turned by yaw about z and by roll about x
+// (left side up).
 struct Place {
   double x, y, z, yaw = 0, roll = 0;
 };
@@ -111,20 +112,16 @@ void scene_hunting(report::Item& item) {
   const scene::Size size{1000, 560};
   const auto camera = scene::looking_at(drawing, {1.0, -0.42, 0.62}, size, true);
   scene::labelled(item, "scene-hunting.gp", drawing, camera, size,
-                  {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
+                  {{{l + 2.2, -car.half_gauge - 1.4, 0.1}, "rail"},
                    {{l + 2.6, 0, 0}, "middle of the track"},
-                   {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
-                   {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
-                   {{0, q[X_C], h + 0.2}, "car body"}});
+                   {{l, q[X_TF] - 3.6, 0.3}, "front truck"},
+                   {{-l, q[X_TR] - 3.7, 0.3}, "rear truck"},
+                   {{0, q[X_C] + 0.5, h + 0.2}, "car body"}});
   item.value("scene-factor", enlarged, "", "{:.0f}");
 }
 
 }  // namespace
 
-const report::Section scenes{report::figure(
-    "scene-hunting",
-    "Both trucks and the body swing to the same side. The car with new wheels on its limit cycle "
-    "at 150 ft/s, its motions enlarged; the red line is the middle of the track.",
-    scene_hunting)};
+const report::Section scenes{report::figure("scene-hunting", scene_hunting)};
 
 }  // namespace railbook::hunting_chapter

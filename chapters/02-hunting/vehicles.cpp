@@ -2,8 +2,8 @@
 ## Limit cycles by describing functions
 
 Replace every nonlinear function of the car by its describing function. The equations of motion,
-$\dot x=f(x)$ for the state $x$ of coordinates and rates (the paper's (9)), become
-$\dot x=N(A,\omega)\,x$: linear equations whose coefficients depend on the amplitudes. For a motion
+$\dot x=f(x)$ for the state $x$ of coordinates and rates (the paper's (9)), become $\dot
+x=N(A,\omega)\,x$: linear equations whose coefficients depend on the amplitudes. For a motion
 $q\,e^{i\omega t}$ these are nine complex equations,
 
 $$\begin{aligned}\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
@@ -19,13 +19,19 @@ The paper calls this car quasi-linear. A solution of (10) is a limit cycle of it
 the motion make the gains, and with these gains the car moves with these amplitudes.
 
 **Four cars.** As in the paper there are new, CN and Heumann wheels with linear dampers, and CN
-wheels with dry friction. A *branch*, a curve of limit cycles in the plane of speed and amplitude,
-begins at each critical speed; its cycles are called a *family*. With ideal friction there is none,
-because joints that stick make (12) infinite; the friction below the rates $\varepsilon$ (0.005 ft/s
-in translation, 0.0005 rad/s in rotation) is viscous, and the critical speeds of that car, which
-depend on these rates alone, serve as a start. From them two families begin, one of the rear truck
-alone and one of both trucks. The figures have the second, because the paper says that without
-flange contact both trucks have about the same amplitude.
+wheels with dry friction. At each critical speed begins a *branch*, a curve of limit cycles in the
+plane of speed and amplitude. The cycles of a branch are called a *family*.
+
+::: {.fold summary="Where the branches of the car with friction begin"}
+
+With ideal friction there is no critical speed, because joints that stick make (12) infinite. So we
+start from the critical speeds of the car whose friction is viscous below the rates $\varepsilon$
+(0.005 ft/s in translation, 0.0005 rad/s in rotation). These speeds depend on $\varepsilon$ and mean
+nothing by themselves. Two families begin there, one of the rear truck alone and one of both trucks.
+The figures show the second, because the paper says that without flange contact both trucks have
+about the same amplitude.
+
+:::
 
 {{fold}}
 */
@@ -67,11 +73,11 @@ Vehicle trace(std::string key, std::string name, const wheelset::NamedPair& pair
   return v;
 }
 
-std::string words_of(const report::Item& item, std::string_view key) {
-  return item.printed("words.csv").at(key, "what");
-}
-
 }  // namespace
+
+std::string Range::text(int digits, const char* unit) const {
+  return fmt::format("{:.{}f} to {:.{}f} {}", low, digits, high, digits, unit);
+}
 
 const std::vector<Vehicle>& vehicles() {
   using wheelset::paper_pairs;
@@ -182,30 +188,6 @@ double translation_for(double rotation, CarParameters data) {
 
 FreightCar car_for(double rotation) {
   return assemble(with_dampers(translation_for(rotation), rotation), Suspension::dampers);
-}
-
-void claim(report::Item& item, std::string_view key, bool holds, std::string measured) {
-  item.claim(key, words_of(item, key), holds, std::move(measured));
-}
-
-void claim(report::Item& item, std::string_view key, const report::Trial& trial,
-           std::string measured) {
-  item.claim(key, words_of(item, key), trial, std::move(measured));
-}
-
-void consistent(report::Item& item, std::string_view key, bool holds, std::string measured,
-                std::string why) {
-  item.consistent(key, words_of(item, key), holds, std::move(measured), std::move(why));
-}
-
-void refute(report::Item& item, std::string_view key, const report::Trial& trial,
-            std::string instead) {
-  item.refute(key, words_of(item, key), trial, std::move(instead));
-}
-
-void verify(report::Item& item, std::string_view key, bool holds, std::string measured,
-            const std::string& method) {
-  item.verify(key, words_of(item, key), holds, std::move(measured), method);
 }
 
 Motion exchanged(Motion motion) {

@@ -1,4 +1,5 @@
-// The four vehicles of the paper's Figure 11 with their branches, and single cycles of the full equations: computed once.
+// The four vehicles of the paper's Figure 11 with their branches, and single cycles of the full
+// equations: computed once.
 #pragma once
 
 #include <functional>
@@ -32,6 +33,8 @@ struct Range {
     if (x < low) low = x;
     if (x > high) high = x;
   }
+  // "126 to 147 ft/s", with a number of digits after the point.
+  std::string text(int digits, const char* unit) const;
 };
 
 struct Vehicle {
@@ -49,37 +52,39 @@ struct Vehicle {
 const std::vector<Vehicle>& vehicles();
 // By key; throws std::logic_error for an unknown one.
 const Vehicle& vehicle(std::string_view key);
-// The branch of the full equations from the same critical speed; computed once, when it is asked for.
+// The branch of the full equations from the same critical speed; computed once, when it is asked
+// for.
 const LimitCycleBranch& true_branch(std::string_view key);
 // The table of new wheels with another running mean or another distance of knots [m].
 wheelset::ConstraintFunctions new_wheel_table(double running_mean, double knot = 0.0025 * inch);
-// The branch of the full equations from the first critical speed of any car, as far as `go_on` says. Where
-// two-point contact is a jump of the tables, steps of 1e-6, the usual floor, are too long.
+// The branch of the full equations from the first critical speed of any car, as far as `go_on`
+// says. Where two-point contact is a jump of the tables, steps of 1e-6, the usual floor, are too
+// long.
 LimitCycleBranch branch_with(const FreightCar& car, const wheelset::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep = {},
                              const std::function<bool(const LimitCycle&)>& go_on = {},
                              double smallest_step = 1e-10);
-// Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to the
-// located point that ends it.
+// Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to
+// the located point that ends it.
 Range stable_on_flange(const LimitCycleBranch& branch, double flange);
 Range stable_on_flange(const Vehicle& v);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr std::size_t damped_cars = 3;
 
-// Where flange contact begins: the last displacement at which the left wheel stands on its tread and
-// not on the arc between tread and flange, less half the width of the tables' running mean [m].
+// Where flange contact begins: the last displacement at which the left wheel stands on its tread
+// and not on the arc between tread and flange, less half the width of the tables' running mean [m].
 double flange_begins(const wheelset::WheelsetOnTrack& pair, double running_mean = table_mean);
 // The first displacement at which two points touch, and contact jumps to the flange [m].
 double flange_jump(const wheelset::WheelsetOnTrack& pair);
-// The first critical speed [ft/s] of other data on a vehicle's wheels, its frequency [rad/s] and the
-// phase between front and rear truck [degrees]; NaN if there is none.
+// The first critical speed [ft/s] of other data on a vehicle's wheels, its frequency [rad/s] and
+// the phase between front and rear truck [degrees]; NaN if there is none.
 struct Critical {
   double speed, omega, phase;
 };
 Critical first_critical(const CarParameters& data, const Vehicle& v);
 
-// The paper's friction as dampers by two numbers: omega A of the translations [m/s] and omega theta of
-// the rotations [rad/s].
+// The paper's friction as dampers by two numbers: omega A of the translations [m/s] and omega theta
+// of the rotations [rad/s].
 CarParameters with_dampers(double translation, double rotation, CarParameters data = {});
 // The translation at which the first critical speed with new wheels is 145 ft/s, for a rotation.
 double translation_for(double rotation, CarParameters data = {});
@@ -88,19 +93,7 @@ FreightCar car_for(double rotation);
 
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =
-    "profiles, equivalent dampers and the sticking of friction are ours, as stated";
-// A statement of the paper, in the words of data/words.csv, holds whatever we chose; or with what we
-// chose; or it does not, and something else does.
-void claim(report::Item& item, std::string_view key, bool holds, std::string measured);
-void claim(report::Item& item, std::string_view key, const report::Trial& trial,
-           std::string measured);
-void consistent(report::Item& item, std::string_view key, bool holds, std::string measured,
-                std::string why = rebuilt_reason);
-void refute(report::Item& item, std::string_view key, const report::Trial& trial,
-            std::string instead);
-// A statement of ours on our model, in the words of data/words.csv.
-void verify(report::Item& item, std::string_view key, bool holds, std::string measured,
-            const std::string& method);
+    "profiles, dampers and the sticking rates of friction are ours";
 // Columns of one format.
 inline std::vector<report::Heading> headings(const char* format,
                                              std::initializer_list<const char*> titles) {
@@ -127,7 +120,8 @@ const CycleCase& example_cycle();
 // A vehicle's car at a speed [ft/s], and a state with both trucks aside [in].
 Oscillator car_at(std::string_view key, double speed);
 Eigen::VectorXd aside(double inches);
-// Integration that watches the four wheelsets, and the swing of the one that swings most, over the last periods.
+// Integration that watches the four wheelsets, and the swing of the one that swings most, over the
+// last periods.
 History run(const Oscillator& moving, const Eigen::VectorXd& y, double duration,
             Integrator integrator, double tolerance = 1e-9);
 Swing largest_swing(const History& history, int periods);

@@ -14,11 +14,12 @@ The appendix adds them up and finds 0.0005. Row by row, the print and its recomp
 
 **Is the sum an upper bound?** The paper calls it one. But the terms are added with their signs,
 those of the two radii as well, and so they cancel in part. If all four errors act in the same
-direction they make {{xi-worst}}, and with all that is rounded or could be read otherwise
-{{worst-range}}. The printed sum itself, 0.000520, exceeds 0.0005.
-{{outcome:table-appendix-a/upper-bound}} As independent errors (root of the sum of squares) they make
-{{xi-rss}}, so the creep can be called accurate to 0.0005 in that sense.
-{{outcome:table-appendix-a/accurate}}
+direction they make {{xi-worst}}; other roundings and readings of the printed numbers give
+{{worst-range}} {{outcome:table-appendix-a/upper-bound}}. Taken as independent errors, by the root
+of the sum of their squares, they make {{xi-rss}}. In that sense the creep is accurate to 0.0005
+{{outcome:table-appendix-a/accurate}}, if the speeds are in rpm like their errors. If they are
+counts of teeth in a second, as the fold on load and speed below prefers, errors in rpm weigh more
+than twice as much: {{counts-rss}} if independent and {{counts-worst}} at worst.
 
 The worst case is checked without any derivative. `largest_by_corners` evaluates (1) at all sixteen
 corners of the box of errors, each of which is either added or subtracted, and takes the largest
@@ -29,28 +30,30 @@ distance from the creep in the middle:
 ::: {.fold summary="What is damaged in the appendix, and what slipped"}
 
 * The text of the appendix, as we have it, says 0.00254 mm for the error of a radius. Its numbers
-  are those of 0.00254 **cm**, which is the 0.0254 mm of the body of the paper.
-  {{outcome:table-appendix-a/radius-unit}} With 0.00254 mm the four errors would make {{worst-by-mm}}
-  at worst, and 0.0005 would bound them.
-* The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use
-  0.2256. {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
+  are those of 0.00254 **cm**, which is the 0.0254 mm of the body of the paper
+  {{outcome:table-appendix-a/radius-unit}}. With 0.00254 mm the four errors would make
+  {{worst-by-mm}} at worst, and 0.0005 would bound them; but the paper's own terms rule this out.
+* The third term uses $u$ = 0.2238 {{outcome:table-appendix-a/term-3}}, close to the value of
+  Appendix B, where the first two use 0.2256. With 0.2256 it would be {{third-term}}.
 * Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm,
-  "0.009" for 0.0069 and "22238" for 0.2238. The results that follow need the latter.
+  "0.009" for 0.0069 and "22238" for 0.2238. The paper's results need the second of each pair.
 * One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
   one. The paper does not explain the difference.
-* With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}: a braked
-  wheel would run *ahead*. With those of Appendix B it is {{xi-right-sign}}.
+* The radii of Appendix A cannot be those of its two speeds. At 518 and 116 rpm they give a creep of
+  {{xi-wrong-sign}}: a braked wheel would run *ahead*. With the radii of Appendix B it is
+  {{xi-right-sign}}. The sizes of the errors hardly depend on this.
 
 :::
 
-**Could the radii be left out?** Before each test the longitudinal force was brought to zero with the
-small motor. A creep counted from that reading would be free of the errors of the radii, but it would
-have those of the speeds twice: {{zero-worst}} at worst, {{zero-rss}} if independent. The paper
-computes its creep by (1), from the radii.
+**Could the radii be left out?** Before each test the longitudinal force was brought to zero with
+the small motor. A creep counted from that zero would be free of the errors of the radii. But it
+would be the difference of two readings, so the errors of the speeds would count twice:
+{{zero-worst}} at worst, {{zero-rss}} if independent. The paper computes its creep by (1), from the
+radii.
 
 **Wear during a test.** Appendix B asks what wear does to a reading. After five hours at $\mu$ = 0.3
-the small wheel has lost 0.00152 cm of diameter, and the big one is assumed to have lost as much. The
-speeds are exact here, so only the first term of (i) stays.
+the small wheel has lost 0.00152 cm of diameter, and the big one is assumed to have lost as much.
+The speeds are exact here, so only the first term of (i) stays.
 
 {{table-appendix-b}}
 
@@ -67,11 +70,11 @@ speed of 8.224 km/h for "near 50 rpm". At exactly 50 rpm the rim of the big whee
 {{table-text}}
 
 The nomenclature gives the speeds of the wheels in rpm. But 116 and 99.2 rpm, those of the two
-appendices, are {{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are counts of the gear's
-144 teeth in a *second*, Appendix A's 116 are {{rpm-by-teeth}}, which is near 50, and
+appendices, are {{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are counts of the
+gear's 144 teeth in a *second*, Appendix A's 116 are {{rpm-by-teeth}}, which is near 50, and
 {{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}. The paper
-does not decide it, and its creep does not depend on it, since only the ratio of the speeds enters.
-{{outcome:table-text/speed}}
+does not decide it. Its creep does not depend on it, since only the ratio of the speeds enters, but
+the errors of Appendix A do. {{outcome:table-text/speed}}
 
 :::
 
@@ -82,6 +85,8 @@ does not decide it, and its creep does not depend on it, since only the ratio of
 
 #include <algorithm>
 #include <cmath>
+
+#include <railbook/report/values.hpp>
 
 #include "rig.hpp"
 
@@ -109,12 +114,23 @@ struct Reading {
 constexpr Reading nominal{4 * 2.54, 45.03, 518, 116};
 constexpr Reading error{0.00254, 0.00254, 0.2, 1.0 / 144};
 
+// rpm of a wheel whose gear of 144 teeth passes `counts` in a second.
+double rpm_by_teeth(double counts) {
+  return counts * 60 / 144;
+}
+
+// The same if the speeds are counts of teeth in a second.
+Reading nominal_by_teeth() {
+  return {nominal.small, nominal.big, rpm_by_teeth(nominal.small_speed),
+          rpm_by_teeth(nominal.big_speed)};
+}
+
 double d_ratio(const Reading& r, const Reading& d) {
   return -r.small / (r.big * r.big) * d.big + d.small / r.big;
 }
 
-// The three terms of d xi, signed, and what the four errors make at worst or if they are independent;
-// then the same for the errors of the two speeds alone.
+// The three terms of d xi, signed, and what the four errors make at worst or if they are
+// independent; then the same for the errors of the two speeds alone.
 struct Terms {
   double ratio, big_speed, small_speed;
   double worst, rms;
@@ -151,8 +167,8 @@ double largest_by_corners(const Reading& r, const Reading& d) {
 // The u that the third term prints.
 constexpr double third_ratio = 0.2238;
 
-// What is rounded in Appendix A, or could be read otherwise: its errors at their worst stay above the
-// 0.0005 that they are said to be bounded by.
+// What is rounded in Appendix A, or could be read otherwise: its errors at their worst stay above
+// the 0.0005 that they are said to be bounded by.
 report::Trial upper_bound(const report::Item& item) {
   report::Trial trial = item.trial("upper-bound", "errors of Appendix A at worst", "{:.5f}",
                                    [](double worst) { return worst > 0.00055; });
@@ -171,6 +187,9 @@ report::Trial upper_bound(const report::Item& item) {
   });
   trial.vary("error of the big wheel's speed", [&](const report::Setting& s) {
     return worst(nominal, {error.small, error.big, error.small_speed, s.number});
+  });
+  trial.vary("unit of the speeds, their errors in rpm", [&](const report::Setting& s) {
+    return worst(s.index == 0 ? nominal : nominal_by_teeth(), error);
   });
   const Terms t = terms(nominal, error);
   trial.vary("errors of the two radii", [&](const report::Setting& s) {
@@ -207,7 +226,7 @@ report::Trial radius_unit(const report::Item& item, const std::string& printed,
 void rows(report::Item& item) {
   item.expect_checks(13);
   const PrintedRows row{item, item.printed("appendix-a.csv")};
-  const Terms t = terms(nominal, error);
+  const Terms t = terms(nominal, error), by_teeth = terms(nominal_by_teeth(), error);
   const double u = nominal.small / nominal.big;
   row("u", u, report::restored("10.16 cm = 4 in; our copy has lost a digit"));
   row("big-inch", nominal.big / 2.54);
@@ -226,7 +245,7 @@ void rows(report::Item& item) {
       report::restored("the line has u = 0.2238, in our copy \"22238\"",
                        report::absolute(1e-7, "cut after the seventh decimal")));
   row("sum", t.ratio + t.big_speed + third, report::absolute(1e-6, "cut after the sixth decimal"));
-  item.claims({{"accurate", {t.rms}}});
+  item.claims({{"accurate", {t.rms, by_teeth.rms}}});
   const report::Trial trial = upper_bound(item);
   item.refute(
       "upper-bound", "the sum of Appendix A, 0.0005, is an upper bound for its errors", trial,
@@ -234,18 +253,15 @@ void rows(report::Item& item) {
   item.agree("worst", "the four errors at their worst", "", t.worst,
              largest_by_corners(nominal, error), 1e-3, "equation (1) at the corners of the errors");
 
-  item.value("xi-worst", t.worst, "", "{:.5f}");
+  const Reading in_mm{error.small / 10, error.big / 10, error.small_speed, error.big_speed},
+      other_radii{small_radius, big_radius, nominal.small_speed, nominal.big_speed};
   item.value("worst-range", trial.range());
-  const Reading in_mm{error.small / 10, error.big / 10, error.small_speed, error.big_speed};
-  item.value("worst-by-mm", terms(nominal, in_mm).worst, "", "{:.5f}");
-  item.value("xi-rss", t.rms, "", "{:.5f}");
+  report::values(item, "", "{:.5f}", "xi-worst", t.worst, "worst-by-mm",
+                 terms(nominal, in_mm).worst, "xi-rss", t.rms, "zero-worst", 2 * t.speeds_worst,
+                 "zero-rss", std::sqrt(2.0) * t.speeds_rms, "xi-wrong-sign", nominal.creep(),
+                 "counts-worst", by_teeth.worst, "counts-rss", by_teeth.rms);
   item.value("third-term", t.small_speed, "", "{:.6f}");
-  item.value("zero-worst", 2 * t.speeds_worst, "", "{:.5f}");
-  item.value("zero-rss", std::sqrt(2.0) * t.speeds_rms, "", "{:.5f}");
-  item.value("xi-wrong-sign", nominal.creep(), "", "{:.5f}");
-  item.value("xi-right-sign",
-             Reading{small_radius, big_radius, nominal.small_speed, nominal.big_speed}.creep(), "",
-             "{:+.5f}");
+  item.value("xi-right-sign", other_radii.creep(), "", "{:+.5f}");
 }
 
 // Rim speed [km/h] of a wheel of `radius` [m].
@@ -253,30 +269,38 @@ double rim_speed(double radius, double rpm) {
   return 2 * units::pi * radius * rpm / 60 / units::kilometre_per_hour;
 }
 
+// What five hours of wear do to the reading of Appendix B.
+struct Wear {
+  static constexpr double change = 0.00152 / 2;  // of a radius, cm, both wheels
+  Reading reading{small_radius / centimetre, big_radius / centimetre, small_rpm, big_rpm};
+  double from_big = -reading.small / (reading.big * reading.big) * change;
+  double from_small = change / reading.big, du = from_big + from_small;
+  double dxi = -du * (small_rpm / big_rpm);
+  // Equation (1) at both radii, no differential.
+  double creep_change() const {
+    return (reading.small / reading.big - (reading.small - change) / (reading.big - change)) *
+           (small_rpm / big_rpm);
+  }
+};
+
 void wear_rows(report::Item& item) {
   item.expect_checks(10);
   const PrintedRows row{item, item.printed("appendix-b.csv")};
-  const double change = 0.00152 / 2;  // cm, both wheels
-  const double s = small_radius / centimetre, b = big_radius / centimetre,
-               speeds = small_rpm / big_rpm;
-  const double from_big = -s / (b * b) * change, from_small = change / b;
-  const double du = from_big + from_small, dxi = -du * speeds;
-  // Equation (1) at both radii, no differential.
-  const double creep_change = (s / b - (s - change) / (b - change)) * speeds;
+  const Wear wear;
   const auto cut = [](double allowed) {
     return report::absolute(allowed, "the printed value is cut, not rounded");
   };
-  row("small", s, cut(1e-4));
-  row("big", b, cut(1e-4));
-  row("radius-change", change);
-  row("radius-change-mm", change * 10);
-  row("du-big", from_big, cut(1e-7));
-  row("du-small", from_small);
-  row("du", du, report::absolute(1e-7, "the printed terms are rounded before they are added"));
-  row("dxi", -dxi, report::relative(0.01, "carries the rounding of du"));
-  row("text", -dxi, report::absolute(1e-5, "0.0000588 cut to one digit"));
-  item.claims({{"small-error", {-dxi}}});
-  item.agree("creep-change", "change of creep", "", creep_change, -dxi, 1e-3,
+  row("small", wear.reading.small, cut(1e-4));
+  row("big", wear.reading.big, cut(1e-4));
+  row("radius-change", wear.change);
+  row("radius-change-mm", wear.change * 10);
+  row("du-big", wear.from_big, cut(1e-7));
+  row("du-small", wear.from_small);
+  row("du", wear.du, report::absolute(1e-7, "the printed terms are rounded before they are added"));
+  row("dxi", -wear.dxi, report::relative(0.01, "carries the rounding of du"));
+  row("text", -wear.dxi, report::absolute(1e-5, "0.0000588 cut to one digit"));
+  item.claims({{"small-error", {-wear.dxi}}});
+  item.agree("creep-change", "change of creep", "", wear.creep_change(), -wear.dxi, 1e-3,
              "the differential of Appendix B");
 }
 
@@ -286,20 +310,18 @@ void text(report::Item& item) {
   row("load", paper_load, report::fitted("the factors are chosen to meet it"));
   row("force-error", 5 * paper_pound_force, report::fitted("5 lb is chosen to meet it"));
   const double big = nominal.big * centimetre;
-  const auto rpm_by_teeth = [](double counts) { return counts * 60 / 144; };
   const double by_teeth = rim_speed(big, rpm_by_teeth(nominal.big_speed));
   row("speed", by_teeth,
       report::relative(0.005, "\"near 50 rpm\" is read as Appendix A's 116, in counts a second"));
   item.value("load-exact", 1000 * units::lbf, "N", "{:.3f}");
-  item.value("speed-50", rim_speed(big, 50), "km/h", "{:.2f}");
-  item.value("rpm-needed",
-             report::printed_number(row.table.at("speed", "printed")) / rim_speed(big, 1), "rpm",
-             "{:.1f}");
-  item.value("speed-at-116", rim_speed(big, nominal.big_speed), "km/h", "{:.1f}");
-  item.value("speed-at-99", rim_speed(big_radius, big_rpm), "km/h", "{:.1f}");
-  item.value("rpm-by-teeth", rpm_by_teeth(nominal.big_speed), "rpm", "{:.1f}");
-  item.value("speed-by-teeth", by_teeth, "km/h", "{:.2f}");
-  item.value("rpm-99-by-teeth", rpm_by_teeth(big_rpm), "rpm", "{:.1f}");
+  report::values(item, "km/h", "{:.2f}", "speed-50", rim_speed(big, 50), "speed-by-teeth",
+                 by_teeth);
+  report::values(item, "km/h", "{:.1f}", "speed-at-116", rim_speed(big, nominal.big_speed),
+                 "speed-at-99", rim_speed(big_radius, big_rpm));
+  report::values(item, "rpm", "{:.1f}", "rpm-needed",
+                 report::printed_number(row.table.at("speed", "printed")) / rim_speed(big, 1),
+                 "rpm-by-teeth", rpm_by_teeth(nominal.big_speed), "rpm-99-by-teeth",
+                 rpm_by_teeth(big_rpm));
 }
 
 }  // namespace
@@ -309,17 +331,6 @@ creep_chapter::CreepError creep_chapter::appendix_a_error() {
   return {t.worst, t.rms};
 }
 
-const report::Section creep_chapter::appendices{
-    report::table(
-        "table-appendix-a",
-        "The terms of Appendix A follow from its inputs, and cancel in part. From the ratio "
-        "of the radii to the sum of the three terms, in the order of the print",
-        rows),
-    report::table("table-appendix-b",
-                  "Five hours of wear change the creep by a tenth of its error. The numbers of "
-                  "Appendix B, in the order of the print",
-                  wear_rows),
-    report::table("table-text",
-                  "The load, the error of the force and the speed follow from rounder numbers. The "
-                  "paper's main text",
-                  text)};
+const report::Section creep_chapter::appendices{report::table("table-appendix-a", rows),
+                                                report::table("table-appendix-b", wear_rows),
+                                                report::table("table-text", text)};

@@ -1,21 +1,24 @@
 /***
 ## The measurements, made anew
 
-The measured points stand in the paper's figures only, which are lost to us. To see what the paper's
-reduction can do, we take the theory for the truth, add the errors that the paper states, and reduce
-the points as the paper does. **Every point below is synthetic**, and the figures say so. What is
-assumed:
+The measured points stand in the paper's figures only, which are lost to us. The paper's *reduction*
+is its way from the points to one curve. To see what it can do, we take the theory for the truth,
+add the errors that the paper states, and reduce the points as the paper does. **Every point below
+is synthetic**, and the figures say so. What is assumed:
 
-* four loads of 500, 1000, 1500 and 2500 lbf; the paper prints one, 4449.72 N or 1000 lb;
+* four loads of 500, 1000, 1500 and 2500 lbf (1 lbf is 4.448 N); the paper prints one, 4449.72 N or
+  1000 lb;
 * the longer axis of the ellipse along rolling;
-* a largest friction of 0.5 at 1000 lbf, falling with the load to the power −{{exponent}};
+* a largest friction coefficient $\mu_c$ of 0.5 at 1000 lbf, falling with the load to the power
+  −{{exponent}};
 * contact areas 1.1 to 1.9 times Hertz's, by wear, and measured with an error of 3 %;
 * errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard
   deviations.
 
-The line through the points stands for the paper's average curve: the theory's, fitted with the
-largest friction and the area free. The paper takes both forces as given and the creep as measured;
-our fit takes the creep as given and minimises the distances in the friction.
+The line through the points stands for the paper's average curve. It is the theory's curve, fitted
+with $\mu_c$ and the area free. The paper takes the forces as given and the creep as the quantity
+that is measured. Our fit minimises the distances in the friction instead; the table below shows
+that it finds the area again.
 
 {{fig-03}}
 
@@ -23,16 +26,16 @@ Two statements of the paper on its own points do not fit these. It says "The dis
 very large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of
 $\mu_c$ (root mean square). Whatever else scattered the paper's points is missing here, so what the
 reduction achieves below is a best case. And it says that the curves of its Figure 8 are "almost
-parallel, indicating a common decreasing trend". The four areas assumed here, in no order, break that
-trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf and {{mu-2500}} at 2500 lbf, so
-these two curves cross. The paper's four areas must have been closer together, or have followed the
-load.
+parallel, indicating a common decreasing trend". The four areas assumed here, in no order, break
+that trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf and {{mu-2500}} at 2500 lbf,
+while $\mu_c$ falls, so these two curves cross. In the paper either the four areas must have been
+closer together or have followed the load, or the friction must have fallen more steeply with it.
 
 ### Friction and area against the load
 
 At constant creep the friction falls with the load, and the paper says of it: "This trend is
-predicted by the theoretical analysis of Vermeulen and Johnson … and Kalker". It is, even where the
-largest friction $\mu_c$ is the same at all loads. Hertz's area goes with $N^{2/3}$, so
+predicted by the theoretical analysis of Vermeulen and Johnson … and Kalker". It is, even where
+$\mu_c$ is the same at all loads. Hertz's area goes with $N^{2/3}$, so
 $X\propto\xi N^{-1/3}$: at the same creep a larger load has a smaller $X$. In the linear part this
 gives $\mu\propto N^{-1/3}$, and closer to full slip the trend is weaker. At the creeps of the
 figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{exponent-first}} to
@@ -40,10 +43,13 @@ figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{
 
 {{fig-08}}
 
-How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four
-creeps. From a creep of 0.001 on the slopes differ by a factor of {{slope-ratio}}; the paper calls
-its own lines "almost parallel". If $\mu_c$ itself depends on the load, as the paper finds, that is
-an input of the theories; the lines of the figure have the falling $\mu_c$ assumed above.
+::: {.fold summary="How parallel the lines are, and the areas of the four tests"}
+
+By the full theory with $\mu_c$ = 0.5 at all loads, $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the
+four creeps, so the slopes differ by a factor of {{slope-ratio-all}}, and by {{slope-ratio}} from a
+creep of 0.001 on. The paper calls its own lines "almost parallel"; they are lost, so the two cannot
+be compared. The lines of the figure are steeper than that at large creep, since they have the
+falling $\mu_c$ assumed above.
 
 The next figure shows Hertz's area for both directions of the longer axis, since the text does not
 say which the rig had: across, the area is {{across-larger}} larger than along. For worn wheels the
@@ -51,35 +57,40 @@ paper finds a considerable difference from Hertz's area; the synthetic areas sta
 
 {{fig-09}}
 
+:::
+
 ## One curve for all
 
 The paper's claim is that with the actual area of contact all tests fall on one curve. The reduction
-takes few lines. `each_reduced` goes through the points of all tests and forms $X$ and $\mu/\mu_c$ from
-the load, the friction and the creep of each. The largest friction is that of the test's average curve;
-the area is Hertz's, or Hertz's times the measured factor:
+takes few lines. `each_reduced` goes through the points of all tests and forms $X$ and $\mu/\mu_c$
+from the load, the friction and the creep of each; `hertz_group` is $G\,ab/N$. The largest friction
+is that of the test's average curve; the area is Hertz's, or Hertz's times the measured factor:
 
 {{code: experiment.cpp each_reduced}}
 
 With **Hertz's** area the four tests stay apart, each shifted by its own wear. With the **measured**
-area they fall on one line, and it is the theory's:
+area they fall on one line, which is the theory's, since the points were made from it:
 
 {{fig-11}}
 
-The two scales of the figure are the paper's and Kalker's: the paper's $a$ and $b$ are full axes by
-its nomenclature and its equation (4), Kalker's are semi-axes.
+The upper scale of the figure uses full axes for $a$ and $b$, as the paper's nomenclature and
+equation (4) have them. The lower one uses semi-axes, as Kalker and this page do. They differ by a
+factor of four.
 
 {{table-collapse}}
 
-In numbers: the factor that brings each test onto the curve spreads by {{spread-hertz}} with Hertz's
-area and by {{spread-true}} with the measured one. The points scatter about the curve by
-{{rms-hertz}} against {{rms-true}} (root mean square of $\mu/\mu_c$), and the second is what the
-errors of force, creep and area make by themselves. With this scatter no such experiment could tell
-the full theory from Vermeulen and Johnson's curve.
+In numbers: each test needs some factor on its area to bring its points onto the curve. With Hertz's
+area the largest of the four factors is {{spread-hertz}} above the smallest; with the measured area
+it is {{spread-true}} above. The points of all tests scatter about the curve by {{rms-hertz}} with
+Hertz's area and by {{rms-true}} with the measured one (root mean square of $\mu/\mu_c$). The second
+number is what the errors of force, creep and area make by themselves.
+Vermeulen and Johnson's curve lies at most {{vj-apart}} above the full theory's, somewhat more than
+a single point scatters; whether four tests together can tell the two apart was not tried.
 
-The fit also finds the contact area of a test from its creep curve alone, without the replica tape: in
-these four tests to {{factor-error}}, and in {{draws}} repetitions of each with other random errors
-with a standard deviation of {{factor-scatter}}. This shows what the reduction can do at best, not
-that the paper's own points did so.
+The fit also finds the contact area of a test from its creep curve alone, without the replica tape.
+In these four tests the area found is within {{factor-error}} of the true one; over {{draws}}
+repetitions of each with other random errors its standard deviation is {{factor-scatter}}. This
+shows what the reduction can do at best, not that the paper's own points did so.
 
 {{fold}}
 */
@@ -87,10 +98,13 @@ that the paper's own points did so.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 #include <railbook/num/random_source.hpp>
+#include <railbook/report/values.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 
@@ -126,7 +140,8 @@ struct Point {
   double creep = 0, mu = 0;
 };
 
-// One test, at one load with one pair of wheels; its area over Hertz's, by wear, true and as measured.
+// One test, at one load with one pair of wheels; its area over Hertz's, by wear, true and as
+// measured.
 struct Test {
   double load = 0, friction = 0;
   double area_factor = 0, area_measured = 0;
@@ -212,8 +227,8 @@ double scatter_of(std::size_t which) {
   return std::sqrt((squares / repetitions - mean * mean) * repetitions / (repetitions - 1));
 }
 
-const std::vector<double>& fitted_scatters() {
-  static const std::vector<double> all{scatter_of(0), scatter_of(1), scatter_of(2), scatter_of(3)};
+const std::array<double, 4>& fitted_scatters() {
+  static const std::array all{scatter_of(0), scatter_of(1), scatter_of(2), scatter_of(3)};
   return all;
 }
 
@@ -260,7 +275,18 @@ struct ConstantCreep {
     const double step = 1.1;
     return std::log(mu(paper_load * step) / mu(paper_load / step)) / (2 * std::log(step));
   }
+  // -d mu/d ln N there.
+  double fall() const { return -exponent() * mu(paper_load); }
 };
+
+// Four creeps of the figure, in the same order as the names of its columns.
+constexpr std::array drawn_creeps{0.0005, 0.001, 0.002, 0.004};
+
+// A row of the figure: load [lbf], friction at each creep, largest friction.
+void add_constant_creep(report::Data& data, double load, const Average& a) {
+  const auto mu = [&](std::size_t k) { return a.mu(load, drawn_creeps[k]); };
+  data.add(load / units::lbf, mu(0), mu(1), mu(2), mu(3), a.friction);
+}
 
 report::Trial trend(const report::Item& item) {
   report::Trial trial = item.trial("trend", "exponent of the load", "{:.2f}",
@@ -275,7 +301,7 @@ report::Trial trend(const report::Item& item) {
   trial.vary("area over Hertz's at creep 0.002", [](const report::Setting& s) {
     return ConstantCreep{.area_factor = s.number}.exponent();
   });
-  trial.vary("major axis at creep 0.002", [](const report::Setting& s) {
+  trial.vary("longer axis at creep 0.002", [](const report::Setting& s) {
     return ConstantCreep{.along = s.index == 0}.exponent();
   });
   return trial;
@@ -284,16 +310,9 @@ report::Trial trend(const report::Item& item) {
 void constant_creep(report::Item& item) {
   auto& lines = item.data({"load_lbf", "mu_0005", "mu_001", "mu_002", "mu_004", "mu_c"});
   auto& points = item.data("points", {"load_lbf", "mu_0005", "mu_001", "mu_002", "mu_004", "mu_c"});
-  const auto add = [](report::Data& data, double load, const Average& a) {
-    data.add(load / units::lbf, a.mu(load, 0.0005), a.mu(load, 0.001), a.mu(load, 0.002),
-             a.mu(load, 0.004), a.friction);
-  };
-  const auto worn = [](double load) {  // one wear for all loads: the lines are smooth
-    return Average{synthetic_friction(load), 1.5};
-  };
-  for (double load = 400; load <= 2700; load += 20)
-    add(lines, load * units::lbf, worn(load * units::lbf));
-  for (const Test& test : tests()) add(points, test.load, test.average);
+  for (double load = 400; load <= 2700; load += 20)  // one wear for all loads: smooth lines
+    add_constant_creep(lines, load * units::lbf, {synthetic_friction(load * units::lbf), 1.5});
+  for (const Test& test : tests()) add_constant_creep(points, test.load, test.average);
   item.rebuilt("loads, friction and wear are not printed; those used are stated above");
   item.expect_checks(1);
   const report::Trial trial = trend(item);
@@ -303,21 +322,16 @@ void constant_creep(report::Item& item) {
   const report::Variation& by_creep = trial.variations().front();
   item.value("creep-first", by_creep.settings.front());
   item.value("creep-last", by_creep.settings.back());
-  item.value("exponent-first", by_creep.results.front(), "", "{:.2f}");
-  item.value("exponent-last", by_creep.results.back(), "", "{:.2f}");
-  std::string slopes;
-  double least = units::infinity, most = 0;  // of those from a creep of 0.001 on
-  for (const double creep : {0.0005, 0.001, 0.002, 0.004}) {
-    const ConstantCreep here{.creep = creep};
-    const double fall = -here.exponent() * here.mu(paper_load);
-    slopes += fmt::format("{}−{:.3f}", slopes.empty() ? "" : ", ", fall);
-    if (creep >= 0.001) least = std::min(least, fall), most = std::max(most, fall);
-  }
-  item.value("slope-ratio", most / least, "", "{:.1f}");
-  item.value("slopes", slopes);
-  for (const std::size_t k : {2U, 3U})
-    item.value(fmt::format("mu-{:.0f}", tests()[k].load / units::lbf),
-               tests()[k].average.mu(tests()[k].load, 0.004), "", "{:.2f}");
+  std::array<double, 4> falls{};
+  std::ranges::transform(drawn_creeps, falls.begin(),
+                         [](double creep) { return ConstantCreep{.creep = creep}.fall(); });
+  const auto ratio = [](const auto& r) { return std::ranges::max(r) / std::ranges::min(r); };
+  item.value("slopes", fmt::format("−{:.3f}", fmt::join(falls, ", −")));
+  report::values(item, "", "{:.1f}", "slope-ratio-all", ratio(falls), "slope-ratio",
+                 ratio(falls | std::views::drop(1)));
+  const auto mu = [](const Test& test) { return test.average.mu(test.load, 0.004); };
+  report::values(item, "", "{:.2f}", "exponent-first", by_creep.results.front(), "exponent-last",
+                 by_creep.results.back(), "mu-1500", mu(tests()[2]), "mu-2500", mu(tests()[3]));
 }
 
 // [mm^2] at a load [lbf]
@@ -354,14 +368,21 @@ void each_reduced(bool measured_area, const Use& use) {
   }
 }
 
+double vermeulen_johnson(double x) {
+  const auto c = with_reduced_creepage(normalised_case(axis_ratio, poisson), {x, 0, 0});
+  return creep_forces(Theory::vermeulen_johnson, c).fx;
+}
+
 void dimensionless(report::Item& item) {
   auto& curves = item.data({"x", "full", "vermeulen_johnson"});
   auto& points = item.data("points", {"x_hertz", "x_measured", "f", "test"});
+  double apart = 0;
   for (int i = 0; i <= 250; ++i) {
-    const double x = 1.25 * i / 250;
-    const auto c = with_reduced_creepage(rolling::normalised_case(axis_ratio, poisson), {x, 0, 0});
-    curves.add(x, master_curve(x), creep_forces(Theory::vermeulen_johnson, c).fx);
+    const double x = 1.25 * i / 250, full = master_curve(x), simple = vermeulen_johnson(x);
+    apart = std::max(apart, simple - full);
+    curves.add(x, full, simple);
   }
+  item.value("vj-apart", apart, "", "{:.2f}");
   each_reduced(false, [&](double x, double share, const Test& test) {
     points.add(x, test.area_measured * x, share, std::round(test.load / units::lbf));
   });
@@ -377,51 +398,52 @@ double scatter(bool measured_area) {
   return std::sqrt(sum / count);
 }
 
+// Least and largest of a quantity of the four tests.
+template <class Of>
+std::ranges::minmax_result<double> range_of(const Of& of) {
+  std::array<double, 4> all{};
+  std::ranges::transform(tests(), all.begin(), of);
+  return std::ranges::minmax(all);
+}
+
 void four_tests(report::Item& item) {
   item.columns({"test",
                 {"load, lbf", "{:.0f}"},
                 {"area over Hertz's: true", "{:.2f}"},
                 {"measured", "{:.3f}"},
                 {"found from the curve", "{:.3f}"},
-                {"its scatter, %", "{:.1f}"},
-                {"μ_c: true", "{:.4f}"},
-                {"fitted", "{:.4f}"},
-                {"over the measured", "{:.3f}"}});
-  std::vector<double> by_hertz, by_measured, off, scatters, dispersions;
+                {"found over measured", "{:.3f}"},
+                {"standard deviation of the area found, %", "{:.1f}"},
+                {"µ<sub>c</sub>: true", "{:.4f}"},
+                {"µ<sub>c</sub>: fitted", "{:.4f}"}});
+  item.rebuilt(synthetic);
   item.expect_checks(static_cast<int>(tests().size()));
-  for (const Test& test : tests()) {
+  for (std::size_t k = 0; k < tests().size(); ++k) {
+    const Test& test = tests()[k];
     const Average& mean = test.average;
-    by_hertz.push_back(mean.area_factor);
-    by_measured.push_back(mean.area_factor / test.area_measured);
-    off.push_back(std::abs(mean.area_factor / test.area_factor - 1));
-    dispersions.push_back(dispersion(test));
-    scatters.push_back(100 * fitted_scatters()[scatters.size()]);
-    const std::string number = fmt::format("{}", off.size());
+    const std::string number = fmt::format("{}", k + 1);
     item.add_row(number, test.load / units::lbf, test.area_factor, test.area_measured,
-                 mean.area_factor, scatters.back(), test.friction, mean.friction,
-                 by_measured.back());
+                 mean.area_factor, mean.area_factor / test.area_measured,
+                 100 * fitted_scatters()[k], test.friction, mean.friction);
     item.agree("factor-" + number, "area over Hertz's from the curve, test " + number, "",
                mean.area_factor, test.area_factor, 0.15,
                "the area put in, through 28 points with the stated errors");
   }
-  const auto spread = [](const std::vector<double>& shifts) {
-    const auto [low, high] = std::ranges::minmax(shifts);
-    return 100 * (high / low - 1);
+  const auto by_hertz = range_of([](const Test& t) { return t.average.area_factor; });
+  const auto by_measured =
+      range_of([](const Test& t) { return t.average.area_factor / t.area_measured; });
+  const auto off =
+      range_of([](const Test& t) { return std::abs(t.average.area_factor / t.area_factor - 1); });
+  report::values(item, "%", "{:.0f}", "spread-hertz", 100 * (by_hertz.max / by_hertz.min - 1),
+                 "spread-true", 100 * (by_measured.max / by_measured.min - 1), "factor-error",
+                 100 * off.max);
+  report::values(item, "", "{:.3f}", "rms-hertz", scatter(false), "rms-true", scatter(true));
+  const auto percent = [&](std::string_view id, std::ranges::minmax_result<double> range) {
+    item.value(id, fmt::format("{:.1f} to {:.1f} %", 100 * range.min, 100 * range.max));
   };
-  item.rebuilt(synthetic);
-  item.value("spread-hertz", spread(by_hertz), "%", "{:.0f}");
-  item.value("spread-true", spread(by_measured), "%", "{:.0f}");
-  item.value("rms-hertz", scatter(false), "", "{:.3f}");
-  item.value("rms-true", scatter(true), "", "{:.3f}");
-  item.value("factor-error", 100 * std::ranges::max(off), "%", "{:.0f}");
-  const auto range = [](const std::vector<double>& values, const char* unit) {
-    const auto [low, high] = std::ranges::minmax(values);
-    return fmt::format("{:.1f} to {:.1f} {}", low, high, unit);
-  };
-  item.value("factor-scatter", range(scatters, "%"));
+  percent("factor-scatter", std::ranges::minmax(fitted_scatters()));
+  percent("dispersion", range_of(dispersion));
   item.value("draws", static_cast<double>(repetitions), "", "{:.0f}");
-  for (double& d : dispersions) d *= 100;
-  item.value("dispersion", range(dispersions, "%"));
 }
 
 }  // namespace
@@ -431,32 +453,6 @@ creep_chapter::ReductionError creep_chapter::reduction_error() {
 }
 
 const report::Section creep_chapter::experiment{
-    report::figure(
-        "fig-03",
-        "At each load the friction rises with the creep and levels off, but the curves differ. "
-        "Friction coefficient against creep. Four panels: synthetic points with one standard "
-        "deviation of their errors, and the average curves fitted to them; last: these curves "
-        "together. In place of the paper's Figures 3 to 7, whose points are lost.",
-        each_load),
-    report::figure("fig-08",
-                   "At constant creep the friction falls with the load. Lines: the theory, all "
-                   "loads with the same wear. Points: the synthetic tests, each with its own wear, "
-                   "which can hide the fall. In place of the paper's Figure 8.",
-                   constant_creep),
-    report::figure(
-        "fig-09",
-        "The area grows with the load, and in our four tests by wear as well. Left: Hertz's area "
-        "of smooth new wheels against the load, for both directions of the longer axis. Right: the "
-        "areas that we chose for the four synthetic tests, as measured, with their ratio to "
-        "Hertz's. In place of the paper's Figures 9 and 10.",
-        areas),
-    report::figure("fig-11",
-                   "With the measured area the four tests fall on one curve, with Hertz's they do "
-                   "not. Fraction of the friction limit against X, synthetic points at four loads; "
-                   "lines by the full theory and by Vermeulen and Johnson. Left: reduced with "
-                   "Hertz's area, right: with the measured one. In place of the paper's Figure 11.",
-                   dimensionless),
-    report::table("table-collapse",
-                  "A test's creep curve gives its contact area to a few per cent. Area and largest "
-                  "friction of the four synthetic tests: put in, measured and found from the curve",
-                  four_tests)};
+    report::figure("fig-03", each_load), report::figure("fig-08", constant_creep),
+    report::figure("fig-09", areas), report::figure("fig-11", dimensionless),
+    report::table("table-collapse", four_tests)};

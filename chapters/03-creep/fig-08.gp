@@ -4,11 +4,11 @@ set output ARG2
 set terminal pngcairo size 740,290 font "DejaVu Sans,12" enhanced background rgb "white"
 set xlabel "normal load, lbf"
 set ylabel "friction coefficient µ"
-set xrange [400:2700]
+set xrange [400:2680]
 set yrange [0:0.62]
 set rmargin 17
 unset key
-set label "synthetic: lines at one wear, points of the four tests" at graph 0.02, 1.04 tc rgb "#BE5400"
+set label "synthetic: lines for equal wear, points with the wear of each test" at graph 0.02, 1.04 tc rgb "#BE5400"
 creep = "0.0005 0.001 0.002 0.004"
 do for [k=2:5] {
   stats ARG1 using k nooutput

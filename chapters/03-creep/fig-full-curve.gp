@@ -5,7 +5,7 @@ set terminal pngcairo size 1100,360 font "DejaVu Sans,13" enhanced background rg
 set multiplot layout 1,2
 unset key
 set rmargin 2
-set xlabel "X = G a b ξ / µ_c N"
+set xlabel "X = G a b ξ / (µ_c N)"
 set ylabel "f = µ / µ_c"
 set xrange [0:0.8]
 set yrange [0:1.05]
@@ -29,9 +29,9 @@ set xrange [3.5:28]
 set yrange [1e-4:0.1]
 set format y "10^{%T}"
 set xtics (4,6,8,12,16,24)
-set label 1 "cells fill the rows" at 9,0.028 left tc rgb blue
-set label 2 "ends placed" at 7.3,0.0022 left tc rgb "#BE5400"
-set label 3 "slope −1" at 17,0.0028 left tc rgb "#606060"
+set label 1 "cells just fill the rows" at 9,0.028 left tc rgb blue
+set label 2 "ends of the rows placed" at 7.3,0.0022 left tc rgb "#BE5400"
+set label 3 "slope −1" at 4.1,0.0075 left tc rgb "#606060"
 set label 4 "slope −2" at 5.6,0.00035 right tc rgb "#606060"
 plot ARG5 using "cells":"filled" with linespoints lt 2, \
      ARG5 using "cells":"placed" with linespoints lt 3, \

@@ -4,75 +4,88 @@
 The paper compares its measurements with Kalker's theory. Two half-spaces of equal stiffness touch
 over an ellipse with Hertz's pressure $p_n$; equal stiffness leaves the pressure untouched by
 friction. While they roll one metre, the creepages slide them over each other, by $\xi$ along and by
-$\eta$ across, and the spin turns them by $\varphi$. The surfaces yield by the displacement $w$, and
-the material streams through the contact against $x$. So the slip $s$ per metre and the traction
-$p$, both vectors in the plane, obey
+$\eta$ across, and the spin turns them by $\varphi$. The surfaces yield, and the material streams
+through the contact against $x$. The slip $s$ per metre, the traction $p$ and the displacement $w$,
+which were numbers in the one direction above, are now vectors in the plane, and obey
 
 $$s=\begin{pmatrix}\xi-\varphi y\\ \eta+\varphi x\end{pmatrix}+\frac{\partial w}{\partial x},\qquad
   |p|\le\mu_c\,p_n,\qquad s=0\quad\text{or}\quad p=\mu_c\,p_n\frac{s}{|s|}.$$
 
-In words: each place either sticks, with a traction below the limit, or slides, with a traction at the
-limit and along the slip. Which places slide is not known beforehand. That makes the problem hard.
+In words: each place either sticks, with a traction below the limit, or slides, with a traction at
+the limit and along the slip. Which places slide is not known beforehand. That makes the problem
+hard.
 
 **Displacements.** They follow from the tractions by Cerruti's formula for a tangential force on a
 half-space, integrated in closed form over cells of constant traction. The slope is taken as
-$[w(x+h)-w(x)]/h$ with the length $h$ of a cell: it looks upstream, because a central difference does
-not see an oscillation from cell to cell.
+$[w(x+h)-w(x)]/h$ with the length $h$ of a cell: it looks upstream, because a central difference
+does not see an oscillation from cell to cell.
 
-**The loop.** `run` below is the search for stick and slip. It starts with all cells sticking, or with
-the answer of a coarser grid. Each pass solves one linear system, `step`: its unknowns are both
+**The loop.** `run` below is the search for stick and slip. It starts with all cells sticking, or
+with the answer of a coarser grid. Each pass solves one linear system, `step`: its unknowns are both
 tractions of a sticking cell and the angle of the traction of a sliding one. Then `update_slip`
-computes the slip and lets cells change sides. The loop ends when no cell changes and what is left of
-the slip equations is small.
+computes the slip and lets cells change sides. The loop ends when no cell changes and the residual
+of the slip equations is small. The number `tight` says how exactly `step` has to solve; it depends
+on how many cells still change.
 
 {{code: rolling/stick_slip.cpp run}}
 
-A cell begins to slide when its traction leaves the limit (`put_on_bound` sees to that) and sticks
-again when its slip turns against its traction. `update_slip` does both, cell by cell:
+In the code `g_` is the limit of the traction, and `w_` the rigid slip of the creepages, the vector
+in brackets above. A sticking cell begins to slide when its traction exceeds `g_`; `put_on_bound`
+sees to that. A sliding cell sticks again when the component of its slip in the direction of its
+traction, `along`, becomes negative. `update_slip` does both, cell by cell:
 
 {{code: rolling/stick_slip.cpp update_slip}}
 
-The loop settles in a few passes. The linear systems are solved by GMRES, an iteration that needs
-only products with the matrix, with the rows of cells, solved by themselves, as
-preconditioner (an approximate inverse).
+::: {.fold summary="How the linear systems are solved, and why few cells suffice"}
+
+The linear systems are solved by GMRES, an iteration that needs only products with the matrix. It is
+helped by an approximate inverse, for which each row of cells is solved by itself.
 
 **Few cells suffice** because of three more choices:
 
 * *Rows that end on the ellipse.* Every row has its own cells, so there is no staircase along the
-  rim. Its half length is the root of the mean square over the row; then each row bears exactly its
-  part of the load.
-* *Ends at the right place.* Cells that just fill a row make an error of first order, since the
-  slope belongs half a cell ahead of the traction. The ends belong {{end-behind}} of a cell behind
-  the first centre and {{end-ahead}} ahead of the last, as the exact solution of an endless row of
-  cells shows (by the method of Wiener and Hopf). A sliding cell follows the slip in its middle.
+  rim. The square of a row's half length is the mean, over the width of the row, of the square of
+  the ellipse's half length there. So each row bears exactly its part of the load.
+* *Ends at the right place.* If the cells just fill a row, the force has an error in proportion to
+  $h$, since $[w(x+h)-w(x)]/h$ is the slope half a cell ahead of the cell's middle. Cells that are
+  shifted in the row take this error out. The row's trailing end then lies {{end-behind}} of a cell
+  behind the middle of the hindmost cell, and its leading end {{end-ahead}} ahead of the middle of
+  the foremost, instead of 0.5 each. The two numbers are those of a row that has one end only, which
+  can be solved exactly (by the method of Wiener and Hopf).
 * *Half the grid first.* It gives the start, an error estimate and, from 16 cells along, an
   extrapolation.
 
+:::
+
 {{fig-full-curve}}
 
-On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; with their
-ends placed, the same cells have {{error-placed}}. On grids of up to some 60 cells the error falls
-about as $h^2$, on finer ones more slowly, as the [second page](03-creep-study.html) measures.
+Few cells suffice because their rows end where the theory of a single end puts them. On 24 x 12
+cells that just fill the rows the mean error over the curve is {{error-filled}}; with the ends of
+the rows placed so, the same cells have {{error-placed}}. Without spin, the error falls about as
+$h^2$ from 24 to 64 cells along; on finer grids and with spin it falls more slowly, as the [second
+page](03-creep-study.html) measures.
 
-The [figure at the head of the page](#live-creep) computes this curve for the rig's ellipse at the
-load of Appendix B and a largest friction of 0.3, with any lateral creepage and spin. Sliding begins
-at the trailing edge, and spin moves the area that slides to one side.
+Where scripts run, the [figure at the head of the page](#live-creep) can be moved: it then computes
+the contact of the rig at the load of Appendix B and $\mu_c$ = 0.3 for any creep, lateral creepage
+and spin. Sliding begins at the trailing edge, and spin moves the area that slides to one side.
 
 ::: {.fold summary="The curve in numbers, against two other programs"}
 
 {{table-full-curve}}
 
 A second grid, with cells of one length in all rows and products by Fourier transforms, differs
-nowhere by more than {{grids-apart}}. An independent program with the theory of CONTACT, on square
-grids and extrapolated, states an accuracy of 0.0005 and prints four digits; it differs by
-{{program-apart}} at most, just more than it states. In full slip $f$ stays a little below 1: the
-lateral strain turns the slip out of the rolling direction, by an angle that falls as $1/X$.
+nowhere by more than {{grids-apart}}. A separate program solves the same equations on square grids
+and extrapolates. It is not CONTACT, the public program of Kalker and Vollebregt, which is used
+further below. It states an accuracy of 0.0005 and prints four digits, which together allow a
+difference of 0.00055; the largest is {{program-apart}}. In full slip $f$ stays a little below 1:
+the lateral strain turns the slip out of the rolling direction, by an angle that falls as $1/X$.
 
 :::
 
-Two simpler theories are drawn beside it. Vermeulen and Johnson's curve, $f=1-(1-kX/3)^3$, has a
-slope $k$ that is {{vj-excess}} above Kalker's $C_{11}$ for this ellipse. FASTSIM, Kalker's
-simplified theory, has the right slope and approaches full slip too slowly.
+Two simpler theories are drawn beside it. Vermeulen and Johnson's law, $f=1-(1-kX/3)^3$, has a
+slope $k$ that is {{vj-excess}} above Kalker's $C_{11}$ for this ellipse. FASTSIM is Kalker's
+simplified theory, in which the displacement of a place depends on the traction at that place only.
+It has the right slope and approaches full slip too slowly.
 
 {{fold}}
 */
@@ -82,6 +95,7 @@ simplified theory, has the right slope and approaches full slip too slowly.
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/report/values.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/influence.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
@@ -141,6 +155,12 @@ const std::vector<CreepForces>& best_curve(bool full) {
   return curve;
 }
 
+// The initial slope of Vermeulen and Johnson's law over Kalker's.
+double vermeulen_johnson_excess() {
+  return vermeulen_johnson_slopes(axis_ratio, poisson).longitudinal /
+         kalker_coefficients(axis_ratio, poisson).c11;
+}
+
 // Mean difference of two curves, and the largest.
 std::pair<double, double> apart(const std::vector<CreepForces>& a,
                                 const std::vector<CreepForces>& b) {
@@ -158,7 +178,7 @@ void tabulate(report::Item& item) {
   const auto other = curve_of({.along = 48, .rows = 24});
   const auto program = item.printed("contact-curve.csv");
   item.columns({"X",
-                {"f", "{:.5f}"},
+                {item.full() ? "f, 40 x 20 cells" : "f, 32 x 16 cells", "{:.5f}"},
                 {"estimated error", "{:.0e}"},
                 {"f, 48 x 24 cells", "{:.5f}"},
                 "f, independent program",
@@ -172,18 +192,29 @@ void tabulate(report::Item& item) {
   }
   const double grids = apart(curve, other).second;
   item.expect_checks(2);
-  item.at_most("program", "largest difference from an independent program", "of mu N", farthest,
+  item.at_most("program", "largest difference from an independent program", "of µ_c N", farthest,
                5.5e-4, "good to 5e-4 by its own account, and printed to 1e-4");
-  item.at_most("grids", "largest difference from 48 x 24 cells", "of mu N", grids, 3e-4,
+  item.at_most("grids", "largest difference from 48 x 24 cells", "of µ_c N", grids, 3e-4,
                "cells of one length in all rows, and products by transforms");
   item.value("grids-apart", grids, "", "{:.4f}");
   item.value("program-apart", farthest, "", "{:.5f}");
 }
 
+// Mean error of f on n cells along that just fill the rows, and with the ends of the rows placed.
+struct GridErrors {
+  double filled = 0, placed = 0;
+};
+GridErrors grid_errors(int n, const std::vector<CreepForces>& curve) {
+  RollingOptions options{.along = n, .rows = n / 2, .estimate = false};
+  const double placed = apart(curve_of(options), curve).first;
+  options.remedy = false;
+  return {apart(curve_of(options), curve).first, placed};
+}
+
 void figure(report::Item& item) {
   item.rebuilt("the paper shows the theoretical curve in Fig. 11 without numbers");
-  item.value("end-behind", 0.25 + edge_offset(), "", "{:.3f}");
-  item.value("end-ahead", 0.75 + edge_offset(), "", "{:.3f}");
+  report::values(item, "", "{:.3f}", "end-behind", 0.25 + edge_offset(), "end-ahead",
+                 0.75 + edge_offset());
   const auto& curve = best_curve(item.full());
   const auto program = item.printed("contact-curve.csv");
   auto& line = item.data({"X", "f"});
@@ -202,33 +233,17 @@ void figure(report::Item& item) {
                creep_forces(Theory::vermeulen_johnson, c).fx);
   }
   auto& errors = item.data("errors", {"cells", "filled", "placed"});
-  double filled = 0, placed = 0;
+  GridErrors last;
   for (const int n : {4, 6, 8, 12, 16, 24}) {
-    RollingOptions options{.along = n, .rows = n / 2, .estimate = false};
-    placed = apart(curve_of(options), curve).first;
-    options.remedy = false;
-    filled = apart(curve_of(options), curve).first;
-    errors.add(n, filled, placed);
+    last = grid_errors(n, curve);
+    errors.add(n, last.filled, last.placed);
   }
-  item.value("error-filled", filled, "", "{:.4f}");
-  item.value("error-placed", placed, "", "{:.5f}");
-  const double slope = vermeulen_johnson_slopes(axis_ratio, poisson).longitudinal;
-  item.value("vj-excess", 100 * (slope / kalker_coefficients(axis_ratio, poisson).c11 - 1), "%",
-             "{:.0f}");
+  item.value("error-filled", last.filled, "", "{:.4f}");
+  item.value("error-placed", last.placed, "", "{:.5f}");
+  item.value("vj-excess", 100 * (vermeulen_johnson_excess() - 1), "%", "{:.0f}");
 }
 
 }  // namespace
 
-const report::Section creep_chapter::full_theory{
-    report::figure("fig-full-curve",
-                   "One curve gives the friction, and twelve cells along are enough for it. Left: "
-                   "the fraction f of the friction limit against X by the full theory, an "
-                   "independent program and two simpler theories, for the rig's ratio of axes. "
-                   "Right: the mean error of f on coarser grids, where the cells just fill the "
-                   "rows and where their ends are placed as below; with placed ends twelve cells "
-                   "err by less than 0.001. The paper's Figure 11 has the curve without numbers.",
-                   figure),
-    report::table("table-full-curve",
-                  "The curve is known to better than 0.001. Fraction f of the friction limit for "
-                  "a/b = 1.568 and Poisson's ratio 0.3, by two grids and an independent program",
-                  tabulate)};
+const report::Section creep_chapter::full_theory{report::figure("fig-full-curve", figure),
+                                                 report::table("table-full-curve", tabulate)};

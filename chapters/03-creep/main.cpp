@@ -15,79 +15,97 @@ about a locomotive.
 ::: findings
 1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve
    it is necessary to utilize the actual nominal area of contact rather than the theoretical area of
-   contact". Its measured points are lost to us, so we cannot test this. The one reading that it
-   prints agrees with the statement but is no evidence for it. Its speeds are rounded, and within
-   the rounding it needs an area of at least {{least-along}} times that of smooth new wheels if the
-   longer axis of the contact ellipse lies along rolling, and {{least-across}} times if it lies
-   across; the paper does not say which. The errors that its Appendix A states leave as much open:
-   {{least-independent}} times along rolling if they are independent, {{least-worst}} times at
-   worst. {{outcome:table-state/true-area}}
+   contact". Its measured points are lost to us, so we cannot test this on them. The paper prints
+   one complete reading, a friction of 0.3 at a known load and creep. That reading agrees with the
+   statement but does not prove it, for the two speeds behind its creep are rounded.
+   {{outcome:table-state/true-area}} Even if friction had no limit, it needs an area of
+   {{least-along}} times that of smooth new wheels if the longer axis of the contact ellipse lies
+   along rolling, and {{least-across}} times if it lies across; the paper does not say which. A
+   finite limit of friction raises these numbers.
 2. **Does a larger contact creep less, in proportion?** The paper, for tests in which the ellipse
    keeps its ratio of axes: "the product of the creep and the area of contact must be a constant".
-   In Kalker's theory of rolling contact this is exact while the ratio is kept. If wear flattens
-   only the profile of the wheel, the ratio changes and the product rises: by {{rise-moderate}}
-   while the area grows by {{area-moderate}}, and by {{rise-worst}} at three times the profile
-   radius. With the errors that the paper states, the larger rise would have shown on the rig in a
-   few pairs of tests. {{outcome:table-law/constant}} {{outcome:table-law/visible}}
+   In Kalker's theory of rolling contact this is exact while the ratio is kept.
+   {{outcome:table-law/constant}} If wear flattens only the profile of the wheel, the ratio changes
+   and the product rises: by {{rise-moderate}} while the area grows by {{area-moderate}}, and by
+   {{rise-worst}} at three times the profile radius. If the rig had no other errors than those that
+   the paper states, a pair of tests, one with new and one with worn wheels, would have shown the
+   larger rise (at {{sigmas-worst}} standard deviations) and missed the smaller one.
+   {{outcome:table-law/visible}}
 3. **How accurate is a measured creep?** "Accurate to 0.0005", says the paper, and calls this an
-   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so the
-   figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii measured
-   to 0.0254 mm, as the paper says, and the other numbers varied within their rounding and their
-   possible readings. In the printed sum the errors partly cancel.
-   {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
+   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent and
+   the speeds are in rpm, which agrees with the figure. If the speeds are counts of teeth in a
+   second, as the printed km/h suggest, they make {{counts-rss}}.
+   {{outcome:table-appendix-a/accurate}} It is not an upper bound: at worst the errors make
+   {{xi-worst}}, and {{worst-range}} by other readings, if a radius is known to 0.0254 mm. The
+   appendix once prints a tenth of this, but computes with it. In its sum the errors partly cancel.
+   {{outcome:table-appendix-a/upper-bound}}
 :::
 
 ## The idea
 
 C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth let a small wheel, for the locomotive's,
 run on a big one, for the rail, and brake it. They measured friction against creep at four loads,
-and brought all curves onto one with the help of Kalker's theory of rolling contact. We have the
+and brought all curves onto one with the help of Kalker's exact theory of rolling contact, on this
+page the *full theory*. A section below computes it. We have the
 paper as machine-read text, without its drawings. The measured points stand in the drawings, so our
 figures with points are rebuilt from the theory and say so. Tables and figures with a plain number
-are the paper's; those of this page are numbered 3.1 and so on.
+are the paper's; those of this page are numbered 3.1 and so on. The heads of the tables name the
+section of the paper in brackets.
 
-**Creep.** A driven wheel turns slightly faster, and a braked one slightly slower, than free rolling
-would need. The difference of the two rim speeds over the speed of rolling is the creep, or
-longitudinal creepage, $\xi$. On the rig it follows from the radii $R_S$ and $R_B$ of the small and
-the big wheel and from their speeds of rotation $N_S$ and $N_B$:
+**Creep.** A wheel that pulls, by a motor of its own, turns slightly faster than free rolling would
+need, and a braked one slightly slower. On the rig the *creep* $\xi$, also called longitudinal
+creepage, is the difference of the rim speeds of the two wheels, divided by that of the big one. It
+follows from the radii $R_S$ and $R_B$ of the small and the big wheel and from their speeds of
+rotation $N_S$ and $N_B$:
 
 $$\xi=1-\frac{N_SR_S}{N_BR_B}. \tag{1}$$
 
-It is a few parts in a thousand. The wheels press on each other with the load $N$ and pass on the
-friction force $T$; their ratio is the friction coefficient
+It is a few parts in a thousand. The wheels press on each other with the load $N$ and
+pass on the friction force $T$. Their ratio is what the paper calls the friction coefficient,
 
 $$\mu=\frac TN. \tag{2}$$
 
-**Why creep makes a force.** {{fig-01}} shows it on the right. Material enters the contact unstrained
-at the leading edge. Creep drags the two surfaces apart while they travel through the contact
-together, so the tangential stress between them, the traction, grows. Where it would exceed the limit
-of friction, $\mu_c$ times the pressure, the surfaces slide. The more creep, the closer to the
-leading edge the sliding begins. When all of the contact slides, the force is $\mu_cN$ and cannot
-grow: $\mu_c$ is the *largest friction coefficient*.
+This is the friction that is *used* at a given creep, not the most that the surfaces can give.
+
+**Why creep makes a force.** {{fig-01}} shows it on the right. Material enters the contact
+unstrained at the leading edge. Creep drags the two surfaces apart while they travel through the
+contact together, so the tangential stress between them, the traction, grows. Where it would exceed
+the limit of friction, $\mu_c$ times the pressure, the surfaces slide. The more creep, the closer to
+the leading edge the sliding begins. When all of the contact slides, the force has reached the
+*friction limit* $\mu_cN$ to within 0.1 %. So $\mu_c$, the *largest friction
+coefficient*, is what a textbook of mechanics calls the friction coefficient.
 
 **Why one curve.** Let the contact be an ellipse with the semi-axes $a$ along rolling and $b$
 across. Measure lengths by $\sqrt{ab}$, tractions by $\mu_cN/ab$, and the elastic displacement $w$
-of the surfaces by what such a traction does to a body of shear modulus $G$:
+of the surfaces by $\mu_cN/G\sqrt{ab}$, the size of displacement that such tractions cause in a body
+of shear modulus $G$:
 
 $$x=\sqrt{ab}\,\hat x,\qquad p=\frac{\mu_cN}{ab}\,\hat p,\qquad w=\frac{\mu_cN}{G\sqrt{ab}}\,\hat w.$$
 
-Here $x$ is the place along rolling, $p$ the traction, and a hat marks the quantity without its unit.
-Creep and strain together make the sliding, so the slip $s$ per metre of rolling becomes
+Here $x$ is the place along rolling, $p$ the traction, and a hat marks the quantity without its
+unit. Creep and strain together make the sliding, so the slip $s$ per metre of rolling becomes
 
 $$s=\xi+\frac{\partial w}{\partial x}=\frac{\mu_cN}{G\,ab}\Big(X+\frac{\partial\hat w}{\partial\hat x}\Big),
   \qquad X=\frac{G\,ab\,\xi}{\mu_cN}.$$
 
-Load, friction, size and stiffness are gone; only $X$ is left, with the ratio $a/b$ and Poisson's
-ratio $\nu$. So the fraction of the friction limit that is used, $f=\mu/\mu_c$, depends on $X$
-alone for one shape of ellipse. This is the paper's similitude. The function `reduced_creepage` is
-these three lines in code, for creep, lateral creepage and spin:
+The limit of the traction, $\mu_c$ times the pressure, is in proportion to $\mu_cN/ab$ as well, so
+friction brings in no further number. Load, friction, size and stiffness are gone. What is left
+is the *dimensionless creep* $X$, with the ratio $a/b$ and Poisson's ratio $\nu$. So the fraction of
+the friction limit that is used, $f=\mu/\mu_c$, depends on $X$ alone for one shape of ellipse. This
+is the paper's similitude.
+
+The function `reduced_creepage` turns creep into $X$. It also scales the two other motions of a
+wheel on a rail: the lateral creepage, which is sideways sliding over the speed of rolling, and the
+spin, the angle in radians by which the contact turns about its normal in a metre of rolling. Spin
+is an angle per length, so it takes one more factor $\sqrt{ab}$:
 
 {{code: rolling/case.cpp reduced_creepage}}
 
 For small creep nothing slides, and the theory gives $f=C_{11}X$ with Kalker's coefficient $C_{11}$.
-So $X$ says how close the force would come to the limit if nothing slid. The paper's point is the
-product $ab$: wear and plastic flow enlarge the contact, so that "the theoretical area of contact"
-of smooth new wheels, which is Hertz's, would put a test at the wrong $X$.
+So $C_{11}X$ is the fraction of the limit that the force would reach if nothing slid. The paper's
+point is the product $ab$. Wear and plastic flow enlarge the contact; with "the theoretical area of
+contact" of smooth new wheels, which is Hertz's, a worn wheel's $X$ comes out too small, and its
+points lie left of the curve.
 
 {{include: rig.cpp}}
 
@@ -108,22 +126,20 @@ of smooth new wheels, which is Hertz's, would put a test at the wrong $X$.
 * **The upper bound of Appendix A** is not an upper bound, because its terms cancel in part.
   {{outcome:table-appendix-a/upper-bound}}
 * **0.00254 mm** in Appendix A stands for 0.00254 cm. {{outcome:table-appendix-a/radius-unit}}
-* **The third term of Appendix A** takes another ratio of radii than the first two. This changes the
-  sum by less than 1 %. {{outcome:table-appendix-a/term-3}}
 * **8.224 km/h near 50 rpm** fits Appendix A's 116 if that is a count of teeth in a second.
   {{outcome:table-text/speed}}
-* **Replica and contact** would not be similar if the wheels were smooth and the tape gave way
-  freely: (7) would lose {{loss-10}} of the area at 10 µm. The paper found them similar, and does not
-  describe its tape. {{outcome:table-replica/similitude}}
+* **Replica and contact.** The paper found them similar and does not describe its tape. In our model
+  of smooth wheels and a tape that gives way freely, (7) would lose {{loss-10}} of the area at 10
+  µm. {{outcome:table-replica/similitude}}
 
-*Not decided* is the direction of the ellipse's longer axis. Also, the nomenclature calls $a$ and $b$
-axes, which makes the abscissa of the paper's Figure 11 four times that of the theory with which it
-is compared; one of the two must have been converted, and the paper does not say which. Finishes of
-"20 µm" and "15 µm" after polishing with 400 grit are likely microinches.
+*Not decided* is the direction of the ellipse's longer axis. Also, the nomenclature calls $a$ and
+$b$ axes. This makes $X$ in the paper's Figure 11 four times that of the theory with which it is
+compared, unless one of the two was converted, which the paper does not say. Finishes of "20 µm" and
+"15 µm" after polishing with 400 grit are likely microinches.
 
 *Lost* are the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9
-and 10, three of the four loads, the widths of the tracks, the factors $C$ and $\mu_c$, and the shear
-modulus.
+and 10, three of the four loads, the widths of the tracks, the factors $C$ and $\mu_c$, and the
+shear modulus.
 
 *Chosen by us* are the steel, the longer axis along rolling where one direction had to be taken, and
 everything that is listed above the synthetic experiment.
@@ -131,22 +147,25 @@ everything that is listed above the synthetic experiment.
 ## Limits
 
 * **Half-spaces.** The theory is that of two elastic half-spaces of one material. The rig's contact
-  is {{contact-share}} of the small wheel's profile radius wide, which is narrow enough.
-* **Elastic.** A pressure of {{peak-along}} with 0.3 of it as traction is more than most wheel steels
-  bear elastically.
-* **One friction coefficient, in steady state.** Real friction falls at large creep, with speed and
+  is {{contact-share}} of the small wheel's profile radius wide.
+* **Elastic.** {{peak-along}} are 1.5 GPa. Steel begins to yield below the surface when Hertz's
+  largest pressure is about 1.6 times its yield stress (Johnson, *Contact Mechanics*), here at some
+  940 MPa, and earlier with a traction. A softer wheel is outside the theory.
+* **One $\mu_c$, in steady state.** Real friction falls at large creep, with speed and
   heat. No curve on this page does; the [second page](03-creep-study.html) shows what a falling
   friction does to the solver.
 * **The "actual area"** puts shape and roughness of a worn wheel into one number.
 
 What each theory costs and where the solver stops is on the [second page](03-creep-study.html),
-which explains their names. {{curve-time-answer}} In a trial with random cases, {{covered}} came out
-within the error that the full theory states.
+which lists the theories by name. For creep along the track without spin it says:
+{{curve-time-answer}} (The times are those of six forces; a node of the table is a creep at which
+the full theory was solved beforehand.)
 
 ## Use it
 
-`railbook creep curve` gives the creep curve of a contact of your own, from radii and load or from the
-semi-axes. This is the rig at the load of Appendix B, with the longer axis along rolling:
+`railbook creep curve` gives the creep curve of a contact of your own, from radii and load or from
+the semi-axes. This is the rig at the load of Appendix B, with the longer axis along rolling; the
+last two options ask for five creeps up to 0.004:
 
 ```console
 $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --wheel-young 207GPa --wheel-poisson 0.3 --rail-young 207GPa --rail-poisson 0.3 --to 0.004 --points 5
@@ -164,9 +183,13 @@ Creep curve
        0.004         1237            0            0   0.9268   0.235
 ```
 
-The last two columns are the fraction of the friction limit that is used and the fraction of the area
-that sticks. With `--out FOLDER` the command also writes the table and a picture, and
-`railbook creep table` makes a table for a vehicle code.
+The columns are the creep, the forces along and across, the moment about the normal, the fraction of
+the friction limit that is used, and the fraction of the area that sticks. With `--out FOLDER` the
+command also writes the table and a picture, and `railbook creep table` makes a table for a vehicle
+code.
+
+The picture that the command draws, here of a larger contact (6 mm by 4 mm) with a spin of 0.2
+rad/m:
 
 {{picture: creep-curve}}
 

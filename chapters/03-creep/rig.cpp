@@ -1,39 +1,47 @@
 /***
 ## The rig
 
-The big wheel drives the small one, which is braked by its own motor; a gear of 144 teeth on each axle
-counts the turns. Forces are measured along three axes. A small wheel that is turned by an *angle of
-attack* would mix them:
+The big wheel drives the small one, which is braked by its own motor; a gear of 144 teeth on each
+axle counts the turns. Forces are measured along three axes.
+
+::: {.fold summary="The three axes, and what a turned wheel does to the forces"}
+
+A small wheel that is turned about the vertical by a small *angle of attack* would mix the forces.
+The paper gives neither angles nor such forces, so nothing below uses this angle.
 
 {{fig-02}}
+
+:::
 
 **The contact ellipse.** The text gives the ratio of the ellipse's axes, 1.568, "typical of the
 U.S.A. locomotives". It gives the wheels, but not the profile radius of the small wheel that makes
 the ellipse so. Hertz's theory gives it back. Along rolling both wheels are round, so the two
 curvatures add up: $1/R_x=1/R_S+1/R_B$. Across, only the small wheel is round, with its profile
-radius $R_y$, and the big one is a cylinder. The ratio of the axes fixes the ratio $R_x/R_y$ through
-two elliptic integrals; for 1.568 it is {{curvature-ratio}}. The function `profile_radius` does this
-for both directions of the longer axis:
+radius $R_y$, and the big one is a cylinder. The ratio of the axes fixes the ratio of the two radii
+through two complete elliptic integrals, usually called B and D; for 1.568 it is
+{{curvature-ratio}}. In the function `profile_radius`, `log_m1` is the logarithm of the squared
+ratio of the shorter axis to the longer, and `integrals.b` and `integrals.d` are the two integrals:
 
 {{code: rig.cpp profile_radius}}
 
 So the profile radius is {{profile-along}} if the longer axis lies along rolling, and
 {{profile-across}} if it lies across. The text does not say which, and each verdict below that
-depends on it is given for both. Where one direction had to be taken, the longer axis lies along
-rolling. A locomotive wheel of 40 in on a rail with a 10-in crown has it there, with a ratio of
-{{locomotive-ratio}}; and a profile of {{profile-along-inch}} fits a wheel of 8 in better than one of
-{{profile-across-inch}}.
+depends on it is given for both. Where one direction had to be taken, we take the longer axis along
+rolling, as a locomotive wheel of 40 in has it on a rail whose head is rounded (crowned) to a radius
+of 10 in; the ratio is then {{locomotive-ratio}}. Also, a profile radius of {{profile-across}} would
+be larger than the rolling radius of the small wheel itself.
 
 {{table-ellipse}}
 
 **Pressures.** No modulus is printed; used here are Young's modulus 207 GPa and $\nu$ = 0.3. The
 paper wants the contact stresses to be "similar to those of the locomotive and rail". The same
-locomotive wheel under 30 000 lb has a largest pressure of {{locomotive-peak}} (1 ksi is 6.895 MPa),
-and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's
+locomotive wheel under 30 000 lbf has a largest pressure of {{locomotive-peak}} (1 ksi is 6.895
+MPa), and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's
 largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the longer axis along rolling
-and {{peak-across}} with it across, which is similar either way {{outcome:table-ellipse/stresses}}.
-On the rig a largest pressure of 200 ksi takes {{load-200-along}} along and {{load-200-across}}
-across.
+and {{peak-across}} with it across. Both lie within a factor of two of the locomotive's, which is
+how we read "similar" {{outcome:table-ellipse/stresses}}. A largest pressure of 200 ksi takes a load
+of {{load-200-along}} on the rig if the longer axis lies along rolling, and of {{load-200-across}}
+if it lies across.
 
 {{fold}}
 */
@@ -42,6 +50,8 @@ across.
 
 #include <cmath>
 #include <stdexcept>
+
+#include <railbook/report/values.hpp>
 
 #include "rig.hpp"
 
@@ -69,12 +79,17 @@ namespace {
 
 constexpr double drawn_attack = 12;  // degrees, far too large, to be seen
 
-// The wheels, and the contact at a creep that uses up most of the friction.
+// The contact at a creep that uses up most of the friction.
+rolling::CreepForces solve_drawn(const rolling::RollingCase& c) {
+  rolling::CreepForces forces = rolling::solve_rolling(c, {.along = 24, .rows = 13});
+  if (!forces.converged) throw std::runtime_error(forces.reason);
+  return forces;
+}
+
 void scheme(report::Item& item) {
   item.sketch("rig to scale, gears not; contact by the full theory, largest friction 0.3 assumed");
   const rolling::RollingCase c = rolling::with_reduced_creepage(rig_case(), {0.2, 0, 0});
-  const rolling::CreepForces forces = rolling::solve_rolling(c, {.along = 24, .rows = 13});
-  if (!forces.converged) throw std::runtime_error(forces.reason);
+  const rolling::CreepForces forces = solve_drawn(c);
   const rolling::Tractions& t = forces.tractions;
   report::Data& cells = item.data({"x_mm", "y_mm", "dx_mm", "dy_mm", "sticks", "tx_MPa", "ty_MPa"});
   report::Data& middle = item.data("middle", {"x_mm", "traction_MPa", "limit_MPa"});
@@ -98,13 +113,24 @@ void axes(report::Item& item) {
   item.data({"attack_degree"}).add(drawn_attack);
 }
 
+// A wheel of 40 in on a rail crowned to 10 in, under 30 000 lbf.
+contact::HertzContact locomotive_contact() {
+  return contact::hertz_from_force({.a = 0.5 / (20 * units::inch), .b = 0.5 / (10 * units::inch)},
+                                   modulus(), 30e3 * units::lbf);
+}
+
+// The load [lbf] at which the largest pressure is 200 ksi; it is `peak` [ksi] at the paper's.
+double load_at_200(double peak) {
+  return paper_load / units::lbf * std::pow(200 / peak, 3);
+}
+
 void ellipse(report::Item& item) {
   item.columns({{"load, N", "{:.2f}"},
                 "longer axis",
                 {"a (along), mm", "{:.4f}"},
                 {"b (across), mm", "{:.4f}"},
                 {"area π a b, mm²", "{:.4f}"},
-                {"p<sub>0</sub>, MPa", "{:.1f}"}});
+                {"largest pressure p<sub>0</sub>, MPa", "{:.1f}"}});
   for (const double load : {500 * units::lbf, paper_load, 2500 * units::lbf})
     for (const bool along : {true, false}) {
       const auto c = rig_contact(load, profile_radius(along));
@@ -113,9 +139,8 @@ void ellipse(report::Item& item) {
     }
   item.rebuilt("material and profile radius are not printed; those used are stated above");
   item.expect_checks(3);
-  const auto locomotive = contact::hertz_from_force(
-      {.a = 0.5 / (20 * units::inch), .b = 0.5 / (10 * units::inch)}, modulus(), 30e3 * units::lbf);
-  item.print("ratio", "major axis by minor axis, typical of U.S. locomotives", "", "1.568",
+  const auto locomotive = locomotive_contact();
+  item.print("ratio", "longer axis by shorter axis, typical of U.S. locomotives", "", "1.568",
              locomotive.a / locomotive.b,
              report::relative(0.02, "wheel of 40 in on a rail crowned to 10 in: rebuilt"));
   item.print("big-diameter", "diameter of the large wheel", "in", "36",
@@ -125,49 +150,27 @@ void ellipse(report::Item& item) {
       "small-diameter", "diameter of the small wheel", "in", "8", 2 * small_radius / units::inch,
       report::absolute(0.1, "nominal; Appendix B measures 20.1097 cm after turning and wear"));
 
-  const double along_peak = rig_contact(paper_load, profile_radius(true)).p_max / units::ksi,
-               across_peak = rig_contact(paper_load, profile_radius(false)).p_max / units::ksi,
+  const double along = profile_radius(true), across = profile_radius(false);
+  const auto along_contact = rig_contact(paper_load, along);
+  const double along_peak = along_contact.p_max / units::ksi,
+               across_peak = rig_contact(paper_load, across).p_max / units::ksi,
                track_peak = locomotive.p_max / units::ksi;
   item.claims(
       {{"stresses",
         {along_peak, across_peak, track_peak, along_peak / track_peak, across_peak / track_peak}}});
-  const auto load_at_200 = [](double peak) {
-    return paper_load / units::lbf * std::pow(200 / peak, 3);
-  };
-  item.value("locomotive-peak", track_peak, "ksi", "{:.0f}");
-  item.value("peak-along", along_peak, "ksi", "{:.0f}");
-  item.value("peak-across", across_peak, "ksi", "{:.0f}");
-  item.value("load-200-along", load_at_200(along_peak), "lbf", "{:.0f}");
-  item.value("load-200-across", load_at_200(across_peak), "lbf", "{:.0f}");
-  const auto ellipse_now = rig_contact(paper_load, profile_radius(true));
-  item.value("contact-share", 100 * 2 * ellipse_now.b / profile_radius(true), "%", "{:.1f}");
-  const double along = profile_radius(true), across = profile_radius(false);
+  report::values(item, "ksi", "{:.0f}", "locomotive-peak", track_peak, "peak-along", along_peak,
+                 "peak-across", across_peak);
+  report::values(item, "lbf", "{:.0f}", "load-200-along", load_at_200(along_peak),
+                 "load-200-across", load_at_200(across_peak));
+  item.value("contact-share", 100 * 2 * along_contact.b / along, "%", "{:.1f}");
   item.value("curvature-ratio", rolling_radius / along, "", "{:.6f}");
   item.value("profile-along", along / units::millimetre, "mm", "{:.3f}");
   item.value("profile-across", across / units::millimetre, "mm", "{:.2f}");
-  item.value("profile-along-inch", along / units::inch, "in", "{:.3f}");
-  item.value("profile-across-inch", across / units::inch, "in", "{:.3f}");
   item.value("locomotive-ratio", locomotive.a / locomotive.b, "", "{:.3f}");
 }
 
 }  // namespace
 
-const report::Section creep_chapter::rig{
-    report::figure("fig-01",
-                   "A braked wheel's contact sticks at its leading edge and slides at its trailing "
-                   "edge. Left: the small wheel under the load N on the big one, which drives it; "
-                   "the friction force T acts at the contact. Right: that contact from above, with "
-                   "its semi-axes a and b, and below it the traction along its middle, which grows "
-                   "from the edge where material enters until it meets the limit. By the full "
-                   "theory of this page; the paper's Figure 1 shows the rig.",
-                   scheme),
-    report::figure("fig-02",
-                   "A turned wheel puts a part of the friction force into the axial direction. The "
-                   "small wheel from above, on the rim of the big one. The axes are those that the "
-                   "paper names; its Figure 2 is lost.",
-                   axes),
-    report::table(
-        "table-ellipse",
-        "The direction of the longer axis changes the area by half. The contact of smooth "
-        "new wheels at three loads, by Hertz, for both directions of the ellipse",
-        ellipse)};
+const report::Section creep_chapter::rig{report::figure("fig-01", scheme),
+                                         report::figure("fig-02", axes),
+                                         report::table("table-ellipse", ellipse)};

@@ -1,5 +1,5 @@
-// The sections of the chapter, and what they share: the paper's rig, two wheels pressed together, rolling along x, axles along
-// y, and Kalker's curve for it.
+// The sections of the chapter, and what they share: the paper's rig, two wheels pressed together,
+// rolling along x, axles along y, and Kalker's curve for it.
 #pragma once
 
 #include <railbook/contact/hertz.hpp>
@@ -16,13 +16,14 @@ extern const report::Section cost, extremes;  // study/
 
 inline constexpr double centimetre = 0.01;  // m
 
-// Radii after five hours of running (Appendix B, diameters halved), the ellipse of the text, and the largest
-// coefficient of friction of the state that is printed.
+// Radii after five hours of running (Appendix B, diameters halved), the ellipse of the text, and
+// the largest coefficient of friction of the state that is printed.
 inline constexpr double small_radius = 0.201097 / 2;
 inline constexpr double big_radius = 0.898957 / 2;
 inline constexpr double axis_ratio = 1.568;
 
-// The one reading that is printed, of Appendix B: speeds [rpm], creep by equation (1) and the friction.
+// The one reading that is printed, of Appendix B: speeds [rpm], creep by equation (1) and the
+// friction.
 inline constexpr double small_rpm = 442.6, big_rpm = 99.2;
 inline constexpr double printed_creep = 1 - small_radius / big_radius * small_rpm / big_rpm;
 inline constexpr double printed_friction = 0.3;
@@ -43,11 +44,12 @@ inline double modulus() {
 // 1/(1/R_S + 1/R_B) in the plane of rolling [m].
 inline constexpr double rolling_radius = 1 / (1 / small_radius + 1 / big_radius);
 
-// The profile radius [m] of the small wheel that gives the ellipse its ratio of axes, with the major axis along
-// rolling or across. The big wheel is a cylinder.
+// The profile radius [m] of the small wheel that gives the ellipse its ratio of axes, with the
+// major axis along rolling or across. The big wheel is a cylinder.
 double profile_radius(bool major_along_rolling);
 
-// Hertz's ellipse [m] at `load` [N] for a profile radius; a is the semi-axis along rolling, b across.
+// Hertz's ellipse [m] at `load` [N] for a profile radius; a is the semi-axis along rolling, b
+// across.
 contact::HertzContact rig_contact(double load, double profile);
 
 // G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
@@ -70,8 +72,8 @@ struct CreepError {
 };
 CreepError appendix_a_error();
 
-// Relative standard deviation, in a synthetic test at 1000 lbf, of the area factor that is fitted to
-// the points, and of the measured area.
+// Relative standard deviation, in a synthetic test at 1000 lbf, of the area factor that is fitted
+// to the points, and of the measured area.
 struct ReductionError {
   double fitted = 0, measured = 0;
 };

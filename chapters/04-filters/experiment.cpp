@@ -1,20 +1,22 @@
 /***
 ### The track and the sensors of all experiments
 
-The standard track is 8192 ft of main line. Height and line of each rail are random processes whose
-spectrum has two slopes. Added to the height are joints every 39 ft with 5.5 mm of dip and a
-vertical curve between two grades, and to the line a curve of 4 degrees a 100 ft. In it the outer
-rail lies 4 in higher, its *superelevation*, and *spirals*, stretches of growing curvature, lead
-into it and out of it. *Truth* is always the same chord and the same high-pass filter on the true
-rail, so that an error is an error of the car and not of the filter's range of wavelengths. Errors
-are given as the root of their mean square (RMS).
+The *standard track* is 8192 ft long and resembles a main line. Height and line of each rail are
+random; their spectra fall with one slope for long waves and a steeper one for short waves. Added to
+the height are joints every 39 ft with 5.5 mm of dip and a vertical curve between two grades, and to
+the line a curve of 4 degrees in 100 ft, which is a radius of 1430 ft. In it the outer rail lies 4
+in (100 mm) higher, its *superelevation*, and *spirals*, stretches of growing curvature, lead into
+it and out of it. The *truth* is the true rail, sent through the same chord and the same high-pass
+filter as the measured one. So an error is one of the car, and not what the filters remove by
+design. Errors are given as the root of their mean square (RMS).
 
 The *typical sensors* are ours as well, for the paper gives no sensor data. Accelerometers and
 inclinometer have a *bias*, a constant error, of 1 mg (a thousandth of gravity), noise of 20 µg/√Hz
 and a converter of 12 bits over ±1 g. Both gyros have a bias of 0.005 deg/s and noise of 0.005
 deg/s/√Hz. Each displacement sensor reads in steps of 0.1 mm. Before each run the car stands for a
-minute and the yaw gyro is *debiased*: what it reads at rest is subtracted from then on. That leaves
-{{residual-bias}} of its bias.
+minute and the yaw gyro is *debiased*: the mean of what it reads at rest is subtracted from then on.
+The noise of that minute leaves {{residual-bias}} of bias. *Perfect sensors* have no error at all;
+the command calls them `ideal`.
 
 {{fold}}
 */

@@ -11,9 +11,10 @@ set xlabel "wavenumber, cycle/ft"
 set ylabel "gain of the analog filter B"
 set label "9 mph" at 0.2,0.5 font ",11" textcolor rgb blue
 set label "80 mph" at 0.036,0.26 font ",11" textcolor rgb "#A84300"
-set label "corners, 1 Hz at either speed" at 0.0012,0.55 font ",10"
-set arrow from 0.0063,0.58 to 0.0082,0.68 filled size screen 0.012,20 lw 1.2 lc rgb grey
-set arrow from 0.0140,0.58 to 0.071,0.69 filled size screen 0.012,20 lw 1.2 lc rgb grey
+set label "corner of 1 Hz" at 0.0030,0.40 center font ",10"
+set label "corner of 1 Hz" at 0.0355,0.62 center font ",10"
+set arrow from 0.0048,0.46 to 0.0079,0.66 filled size screen 0.012,20 lw 1.2 lc rgb grey
+set arrow from 0.058,0.64 to 0.071,0.68 filled size screen 0.012,20 lw 1.2 lc rgb grey
 set rmargin 2
 plot ARG1 using "phi_cycle_per_ft":"slow" with lines lt 2, \
      ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3, \

@@ -18,7 +18,7 @@ plot ARG1 using "phi_cycle_per_ft":"limit" with lines lc rgb light lw 7 dt solid
      ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3
 unset arrow 1
 set yrange [0:5]
-set ylabel "gain less its limit, thousandths"
+set ylabel "gain minus its limit, thousandths"
 set label 1 "9 mph" at 0.13,2.2 right font ",11" textcolor rgb blue
 set label 2 "80 mph" at 0.06,0.22 right font ",11" textcolor rgb "#A84300"
 plot ARG1 using "phi_cycle_per_ft":(1000 * (column("slow") - column("limit"))) with lines lt 2, \

@@ -15,6 +15,8 @@ set format x ""
 set ylabel "curvature,\ndeg per 100 ft"
 set yrange [-5:0.8]
 set ytics 2
+set label 4 "9 mph" at graph 1.01,0.62 font ",11" textcolor rgb blue
+set label 5 "80 mph" at graph 1.01,0.38 font ",11" textcolor rgb "#A84300"
 set label 1 "true" at graph 1.01,0.86 font ",11" textcolor rgb grey
 plot ARG1 using "x_ft":(on(80, column("curvature_true"))) with lines lc rgb light dt solid lw 6, \
      ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft"))) with lines lt 3 lw 1.6, \
@@ -22,6 +24,8 @@ plot ARG1 using "x_ft":(on(80, column("curvature_true"))) with lines lc rgb ligh
 set tmargin at screen top(1)
 set bmargin at screen top(1) - 0.19
 unset label 1
+unset label 4
+unset label 5
 set ylabel "its error,\ndeg per 100 ft"
 set yrange [-0.2:0.2]
 set ytics 0.1

@@ -65,13 +65,13 @@ plot ARG1 using "back_ft":"analog_9" with filledcurves y=0 fc rgb blue fs transp
      ARG1 using "back_ft":"analog_80" with lines lt 3, ARG1 using "back_ft":"analog_9" with lines lt 2
 set lmargin at screen 0.59
 set rmargin at screen 0.985
-set xrange [3:0]
-set xtics 1 nomirror
+set xrange [8:0]
+set xtics 2 nomirror
 unset ylabel
 set label 1 "memory of u_k: both filters" at graph 0.5,1.1 center font ",10"
-set label 2 "80 mph" at 1.06,0.90 right font ",10" textcolor rgb "#A84300"
-set label 3 "9 mph" at 1.06,0.68 right font ",10" textcolor rgb blue
-set label 4 "nothing" at 2,0.12 center font ",10"
+set label 2 "80 mph" at 1.25,1.00 right font ",10" textcolor rgb "#A84300"
+set label 3 "9 mph" at 1.25,0.72 right font ",10" textcolor rgb blue
+set label 4 "nothing" at 4.5,0.12 center font ",10"
 plot ARG1 using "back_ft":"hybrid_9" with filledcurves y=0 fc rgb blue fs transparent solid 0.12 noborder, \
      ARG1 using "back_ft":"hybrid_80" with lines lt 3, ARG1 using "back_ft":"hybrid_9" with lines lt 2
 unset multiplot

@@ -1,4 +1,4 @@
-# alt: A truck on rails, seen from the front left. A beam ahead of its axle reaches down to the rails with a lateral accelerometer and two gage sensors.
+# alt: A truck on rails, seen from the front and the right. A beam ahead of its axle reaches down to the rails with a lateral accelerometer and two gage sensors.
 # alt: On the plate above, the floor of the body, stand two vertical accelerometers, an inclinometer and two gyros; thin rods down to the axle and across to the frame are height and sway sensors, and an encoder sits on an axle.
 load "style.gp"
 set output ARG2

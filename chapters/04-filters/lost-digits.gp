@@ -8,12 +8,19 @@ set xlabel "argument"
 set ylabel "relative error"
 set xrange [1e-8:1]
 set yrange [1e-17:10]
-set rmargin 26
-set key outside right center nobox font ",10"
+set rmargin 22
+unset key
 at(name) = strcol("formula") eq name ? column("x") : NaN
-plot ARG1 using (at("cosine")):"plain" with lines lt 1 title "1 − cos θ", \
-     ARG1 using (at("exponential")):"plain" with lines lt 2 title "1 − e^{−κ}", \
-     ARG1 using (at("damping")):"plain" with lines lt 3 title "difference of e^{−(σ±w)T}", \
-     ARG1 using (at("cosine")):"kept" with lines lt 4 title "2 sin^2(θ/2)", \
-     ARG1 using (at("exponential")):"kept" with lines lt 5 title "−expm1(−κ)", \
-     ARG1 using (at("damping")):"kept" with lines lt 7 title "e^{−σT} sinh(wT)/w"
+set label 1 "1 − cos θ" at 3e-6,1e-4 font ",11"
+set label 2 "1 − e^{−κ}" at 1.2e-8,3e-11 font ",11" textcolor rgb blue
+set arrow 3 from 1e-6,1.2e-14 to 1e-6,5e-11 nohead lw 1 lc rgb "#A84300"
+set label 3 "(e^{−(σ−w)T} − e^{−(σ+w)T}) / 2w" at 6e-8,2.5e-15 font ",11" textcolor rgb "#A84300"
+set label 4 "2 sin^2(θ/2)" at graph 1.02,0.20 left font ",11"
+set label 5 "−expm1(−κ)" at graph 1.02,0.04 left font ",11" textcolor rgb blue
+set label 6 "e^{−σT} sinh(wT) / w" at graph 1.02,0.12 left font ",11" textcolor rgb "#A84300"
+plot ARG1 using (at("cosine")):"plain" with lines lt 1 dt 1, \
+     ARG1 using (at("exponential")):"plain" with lines lt 2 dt 1, \
+     ARG1 using (at("damping")):"plain" with lines lt 3 dt 1, \
+     ARG1 using (at("cosine")):"kept" with lines lt 1 dt (6,4), \
+     ARG1 using (at("exponential")):"kept" with lines lt 2 dt (6,4), \
+     ARG1 using (at("damping")):"kept" with lines lt 3 dt (6,4)

@@ -11,13 +11,14 @@ On the random part $A/\varphi^2$ the variance of the offset is
 $A\int_0^\infty(1-\cos\pi L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so
 its standard deviation is
 
-$$\sigma(L)=\pi\sqrt{\tfrac12AL}, \tag{8}$$
+$$\sigma(L)=\pi\sqrt{\tfrac12AL}. \tag{8}$$
 
-which is the paper's (8); the ½ under the root is damaged in our copy, and the integral confirms it.
-It holds for a one-sided density; with a two-sided $A$ the $\frac12$ would be missing. The paper
-leaves the corner out of it, since long chords respond most below $\varphi_c$. With the corner the
-integral has a closed form in sine integrals. For the corners of Table 1, (8) is
-{{equation-8-least}} to {{equation-8-most}} above it for the 19-m chord, on the safe side, and up to
+This is the paper's (8), but for the ½ under the root, whose sign is damaged in our copy. For a
+one-sided density the integral makes it ½; for a two-sided one nothing would stand in its place.
+
+The paper leaves the corner out, since long chords respond most below $\varphi_c$. With the corner
+the integral has a closed form in sine integrals. For the corners of Table 1, (8) is above it, on
+the safe side: by {{equation-8-least}} to {{equation-8-most}} for the 19-m chord and by up to
 {{equation-8-short}} for the 9.5-m chord.
 
 ::: {.fold summary="What the corner changes, and the probabilities of three sigma"}
@@ -35,6 +36,7 @@ The paper's two probabilities for three sigma are truncated, not rounded: 0.99 f
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <railbook/num/quadrature.hpp>
 #include <railbook/spectra/chord.hpp>
@@ -65,6 +67,28 @@ double ratio(double phi_c, double chord) {
   return spectra::chord_sigma({.A = A, .phi_c = phi_c}, chord) / spectra::chord_sigma(A, chord);
 }
 
+// By how much (8) is too high in the zones, %, because it leaves the corner out, and how many of
+// them are of another class without it.
+struct CornerLeftOut {
+  double least = units::infinity, most = 0, short_most = 0;
+  int changed = 0;
+};
+
+CornerLeftOut corner_left_out(const std::vector<Zone>& all) {
+  CornerLeftOut found;
+  for (const Zone& zone : all) {
+    const double phi_c = zone.track.phi_c, high = 100 * (1 / ratio(phi_c, long_chord) - 1);
+    found.least = std::min(found.least, high);
+    found.most = std::max(found.most, high);
+    found.short_most = std::max(found.short_most, 100 * (1 / ratio(phi_c, short_chord) - 1));
+    spectra::ClassRule rule{.chord = 19.0};
+    const int without = spectra::classify(zone.track.A, zone.track.B, rule).track_class;
+    rule.alpha *= ratio(phi_c, rule.chord);
+    found.changed += spectra::classify(zone.track.A, zone.track.B, rule).track_class != without;
+  }
+  return found;
+}
+
 void equation_8(report::Item& item) {
   item.expect_checks(3);
   item.agree("sigma", "(8) for the 62-ft chord", "m", spectra::chord_sigma(A, long_chord),
@@ -74,22 +98,10 @@ void equation_8(report::Item& item) {
                 {"σ/(8), 19-m chord", "{:.4f}"}});
   for (const double phi_c : {0.10, 0.13, 0.25})
     item.add_row(phi_c, ratio(phi_c, short_chord), ratio(phi_c, long_chord));
-  double least = units::infinity, most = 0, short_most = 0;  // how far (8) is too high, %
-  int changed = 0;  // zones of another class when the corner is not left out
-  for (const Zone& zone : zones(item)) {
-    const double phi_c = zone.track.phi_c, high = 100 * (1 / ratio(phi_c, long_chord) - 1);
-    least = std::min(least, high);
-    most = std::max(most, high);
-    short_most = std::max(short_most, 100 * (1 / ratio(phi_c, short_chord) - 1));
-    spectra::ClassRule rule{.chord = 19.0};
-    const int without = spectra::classify(zone.track.A, zone.track.B, rule).track_class;
-    rule.alpha *= ratio(phi_c, rule.chord);
-    changed += spectra::classify(zone.track.A, zone.track.B, rule).track_class != without;
-  }
-  item.value("equation-8-least", least, "%", "{:.1f}");
-  item.value("equation-8-most", most, "%", "{:.1f}");
-  item.value("equation-8-short", short_most, "%", "{:.0f}");
-  item.claims({{"corner-ignored", {least, most, double(changed), short_most}}});
+  const CornerLeftOut high = corner_left_out(zones(item));
+  report::values(item, "%", "{:.1f}", "equation-8-least", high.least, "equation-8-most", high.most);
+  item.value("equation-8-short", high.short_most, "%", "{:.0f}");
+  item.claims({{"corner-ignored", {high.least, high.most, double(high.changed), high.short_most}}});
   const table::CsvTable printed = item.printed("equations.csv");
   const auto share = [&](const char* key, double exact) {
     const report::Row row = item.row(printed, key);
@@ -103,8 +115,8 @@ void equation_8(report::Item& item) {
 /*** ### Of the joints
 
 With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$. {{fig-10}} shows why the
-62-ft chord loses so much of it: its ends lie in the next dips. Everywhere else it reads less. The
-function `largest_offset` tries all positions, and the last column of {{table-2}} confirms this.
+62-ft chord reads so little of it: its ends lie in the next dips. Everywhere else the chord reads
+less. The last column of {{table-2}}, for which all positions were tried, confirms this.
 
 {{fig-10}}
 
@@ -129,6 +141,50 @@ double largest_offset(double chord, double length) {
   return most;
 }
 
+// Row i of Table 2: the lengths as printed, and the sensitivity from those in feet.
+struct Sensitivity {
+  double chord_ft, rail_ft, chord_m, rail_m;
+  double by_feet() const { return spectra::rail_chord_sensitivity(chord_ft, rail_ft); }
+  double by_metres() const { return spectra::rail_chord_sensitivity(chord_m, rail_m); }
+};
+
+Sensitivity sensitivity(const table::CsvTable& table_2, std::size_t i) {
+  const auto number = [&](const char* column) {
+    return report::printed_number(table_2.at(i, column));
+  };
+  return {number("chord_ft"), number("rail_ft"), number("chord_m"), number("rail_m")};
+}
+
+// The least and the largest sensitivity of a chord over the four lengths of rail.
+std::pair<double, double> sensitivities(double chord_ft) {
+  std::array<double, 4> of_rails{39, 36, 33, 30};  // ft
+  for (double& rail : of_rails) rail = spectra::rail_chord_sensitivity(chord_ft, rail);
+  const auto [least, most] = std::ranges::minmax(of_rails);
+  return {least, most};
+}
+
+// A misprint: no rounding of the lengths brings the sensitivity to the printed one.
+void correct(report::Item& item, const report::Row& row, const std::string& key,
+             const Sensitivity& s) {
+  report::Trial trial = item.trial(key + "-printed", "largest offset over the dip", "{:.3f}",
+                                   report::misses(row.printed("printed")));
+  trial.vary("lengths", [&](const report::Setting& setting) {
+    return setting.text == "feet" ? s.by_feet() : s.by_metres();
+  });
+  trial.vary("chord of 10.4 m", [&](const report::Setting& setting) {
+    return spectra::rail_chord_sensitivity(setting.number, s.rail_m);
+  });
+  trial.vary("rail of " + row.printed("rail_m") + " m", [&](const report::Setting& setting) {
+    return spectra::rail_chord_sensitivity(s.chord_m, setting.number);
+  });
+  row.print("printed", s.by_feet(),
+            report::corrected(largest_offset(s.chord_ft, s.rail_ft), 1e-9,
+                              "the corrected value is the largest offset found by trying 20000 "
+                              "positions",
+                              trial));
+  item.value("table-2-" + row.printed("rail_ft"), s.by_feet(), "", "{:.3f}");
+}
+
 void table_2(report::Item& item) {
   const table::CsvTable printed = item.printed("table-2.csv");
   item.expect_checks(static_cast<int>(printed.rows.size()));
@@ -139,53 +195,21 @@ void table_2(report::Item& item) {
                 {"printed metres", "{:.4f}"},
                 {"brute force, feet", "{:.4f}"}});
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
-    const auto number = [&](const char* column) {
-      return report::printed_number(printed.at(i, column));
-    };
-    const double chord = number("chord_ft"), length = number("rail_ft");
-    const double computed = spectra::rail_chord_sensitivity(chord, length);
-    const double brute_force = largest_offset(chord, length);
+    const Sensitivity s = sensitivity(printed, i);
     item.add_row(printed.at(i, "chord_ft"), printed.at(i, "rail_ft"), printed.at(i, "printed"),
-                 computed, spectra::rail_chord_sensitivity(number("chord_m"), number("rail_m")),
-                 brute_force);
-    const report::Row row = item.row(printed, printed.at(i, "key"));
-    if (printed.at(i, "note") == "misprint") {
-      const double chord_m = number("chord_m"), rail_m = number("rail_m");
-      report::Trial trial =
-          item.trial(printed.at(i, "key") + "-printed", "largest offset over the dip", "{:.3f}",
-                     report::misses(row.printed("printed")));
-      trial.vary("lengths", [&](const report::Setting& s) {
-        return s.text == "feet" ? computed : spectra::rail_chord_sensitivity(chord_m, rail_m);
-      });
-      trial.vary("chord of 10.4 m", [&](const report::Setting& s) {
-        return spectra::rail_chord_sensitivity(s.number, rail_m);
-      });
-      trial.vary(fmt::format("rail of {} m", printed.at(i, "rail_m")),
-                 [&](const report::Setting& s) {
-                   return spectra::rail_chord_sensitivity(chord_m, s.number);
-                 });
-      row.print("printed", computed,
-                report::corrected(brute_force, 1e-9,
-                                  "the corrected value is the largest offset found by trying 20000 "
-                                  "positions",
-                                  trial));
-      item.value("table-2-" + printed.at(i, "rail_ft"), computed, "", "{:.3f}");
-    } else {
-      row.print("printed", computed);
-    }
+                 s.by_feet(), s.by_metres(), largest_offset(s.chord_ft, s.rail_ft));
+    const std::string& key = printed.at(i, "key");
+    if (printed.at(i, "note") == "misprint")
+      correct(item, item.row(printed, key), key, s);
+    else
+      item.row(printed, key).print("printed", s.by_feet());
   }
-  const auto row_range = [&](double chord_ft) {
-    std::array<double, 4> of_rails{39, 36, 33, 30};  // ft
-    for (double& rail : of_rails) rail = spectra::rail_chord_sensitivity(chord_ft, rail);
-    return std::ranges::minmax(of_rails);
-  };
-  const auto small = row_range(31), large = row_range(62);
+  const auto [short_least, short_most] = sensitivities(31);
+  const auto [long_least, long_most] = sensitivities(62);
   item.claims(
-      {{"short-chord", {small.min, small.max}},
-       {"long-chord", {large.min, large.max, large.max / large.min, small.max / small.min}}});
-
-  item.value("sees-39", 100 * spectra::rail_chord_sensitivity(62, 39), "%", "{:.0f}");
-  item.value("sees-30", 100 * spectra::rail_chord_sensitivity(62, 30), "%", "{:.0f}");
+      {{"short-chord", {short_least, short_most}},
+       {"long-chord", {long_least, long_most, long_most / long_least, short_most / short_least}}});
+  report::values(item, "%", "{:.0f}", "sees-39", 100 * long_most, "sees-30", 100 * long_least);
 }
 
 // The rectified sine about a joint, and both chords with their middle on it.
@@ -210,19 +234,7 @@ void fig_10(report::Item& item) {
 
 }  // namespace
 
-const report::Section chords{
-    report::table("equation-8",
-                  "Leaving the corner out costs a few per cent on the 19-m chord. Standard "
-                  "deviation of the offset with the corner over that by (8).",
-                  equation_8),
-    report::figure("fig-10",
-                   "The long chord has its ends in the next dips and reads less. A rectified sine "
-                   "of 39-ft rails under chords of 31 ft (9.5 m) and 62 ft (19 m) with their "
-                   "middle on a joint (Fig. 10).",
-                   fig_10),
-    report::table("table-2",
-                  "Ten of the twelve printed sensitivities come out; two are misprints. What a "
-                  "chord reads of a joint's dip, as a fraction (Table 2).",
-                  table_2)};
+const report::Section chords{report::table("equation-8", equation_8),
+                             report::figure("fig-10", fig_10), report::table("table-2", table_2)};
 
 }  // namespace railbook::psd_chapter

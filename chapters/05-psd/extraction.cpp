@@ -2,11 +2,11 @@
 
 The paper lays two straight lines on each measured spectrum, of slope −2 at the long waves and −4 at
 the short ones. The height of the first gives $A$, and where they meet is $\varphi_c$. The function
-`lay_two_lines` does this by least squares instead of by eye. It tries many corners. For each it
-divides the spectrum by (4) with $A=1$, so that the mean of the logarithms is $\ln A$, and it keeps
-the corner with the smallest scatter. Bins near the joints' lines are left out. The mean logarithm
-of a spectrum is too low, because the spectrum scatters; half the reciprocal of the number of
-averages corrects for that.
+`lay_two_lines` does this by least squares instead of by eye. It tries many corners and divides the
+spectrum by (4) with each of them and $A=1$. At the right corner the quotient is $A$ at every
+wavenumber, so the function keeps the corner at which its logarithms scatter least, and their mean
+is $\ln A$. Bins near the joints' lines are left out. A mean of logarithms is too low when the
+numbers scatter: here by half the reciprocal of the number of averages, which the code adds.
 
 {{code: method.cpp lay_two_lines}}
 
@@ -19,16 +19,18 @@ $$Q_1 = \beta\, C_1 \tag{6}$$
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
 The function `read_peak` sums what stands above the two straight lines within 0.02 cycle/m of
-$\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$.
+$\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$. Its $\beta$ is $Q_1/C_1$,
+the width of a rectangle of the same area and height.
 
 {{code: method.cpp read_peak}}
 
 ::: {.fold summary="The six measured spectra of the paper, with synthetic track in their place"}
 
 The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} shows
-synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak wider than the
-analysis can show comes from joints of random depth, with depth and correlation chosen so that its
-height and width are the printed $C_1$ and $\beta$; a narrow one comes from equal joints.
+synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. Where the printed
+$\beta$ is wider than the window, the joints are given random depths, with depth and correlation
+chosen so that height and width of the peak are the printed $C_1$ and $\beta$; a narrow peak comes from
+equal joints.
 
 {{fig-08}}
 
@@ -51,17 +53,17 @@ regression takes this for roughness, and $A$ comes out high.
 
 ### The narrow peaks are as wide as the window
 
-::: {.fold summary="A line of no width through a Hann window"}
+Five zones have $\beta$ = 0.010 cycle/m. A line of no width at all looks nearly as wide,
+{{beta-512}} cycle/m at half its height, if it is analysed in segments of 512 ft under a Hann
+window. So 0.010 is probably the resolution of the paper's analysis, and $C_1$ of these zones says
+as much about the window as about the track.
 
-Five zones have $\beta$ = 0.010 cycle/m. {{resolution}} shows what a line of no width at all looks
-like through a Hann window on segments of three lengths.
+::: {.fold summary="A line of no width in segments of three lengths"}
 
 {{resolution}}
 
-With segments of 512 ft the line is {{beta-512}} cycle/m wide at half its height, which is the
-paper's definition of $\beta$. So 0.010 is most likely the resolution of the paper's analysis, and
-$C_1$ of these zones says as much about the window as about the track. The product of $C_1$ and
-$\beta$ does not depend on the window: it is the power of the line, the same in every row.
+The product of $C_1$ and $\beta$ does not depend on the segment: it is the power of the line, the
+same in every row.
 
 :::
 */
@@ -85,10 +87,11 @@ bool broad(const Zone& zone) {
   return zone.beta > 0.015;
 }
 
-// How a broad peak is made (`reconstructed_track`): depths B_j of a correlation rho from joint to joint spread the
-// line into a resonance curve whose width follows from rho alone, the root of rho^2 - (4 - 2 cos(pi beta l)) rho + 1 = 0. The
-// peak's height then fixes the scatter of the depths. Their mean is made small, so that hardly any sharp line is left
-// in the middle. (The shape of a dip, falling off with phi, skews the peak a little.)
+// How a broad peak is made (`reconstructed_track`): depths B_j of a correlation rho from joint to
+// joint spread the line into a resonance curve whose width follows from rho alone, the root of
+// rho^2 - (4 - 2 cos(pi beta l)) rho + 1 = 0. The peak's height then fixes the scatter of the
+// depths. Their mean is made small, so that hardly any sharp line is left in the middle. (The shape
+// of a dip, falling off with phi, skews the peak a little.)
 spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   spectra::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));
   track.rail_length = 1 / zone.track.phi_0;
@@ -152,9 +155,8 @@ void fig_08(report::Item& item) {
   item.rebuilt(
       "the paper's spectra are not in our copy: synthetic track with the printed parameters; (c) "
       "and (d) show no ballast memory, of which the paper's are examples");
-  item.value("beta-2", zones(item).at(1).beta, "", "{:.3f}");
-  item.value("beta-11", zones(item).at(10).beta, "", "{:.3f}");
-  item.value("epsilon-off", eps, "", "{:.3f}");
+  report::values(item, "", "{:.3f}", "beta-2", zones(item).at(1).beta, "beta-11",
+                 zones(item).at(10).beta, "epsilon-off", eps);
 }
 
 // Equal joints, no roughness.
@@ -213,21 +215,7 @@ void fig_09(report::Item& item) {
 
 }  // namespace
 
-const report::Section extraction{
-    report::figure(
-        "fig-08",
-        "Narrow peaks (a, f) leave the two fitted lines alone, broad ones (b to e) lift them. Six "
-        "zones: spectrum of synthetic track and fitted lines, both divided by the printed random "
-        "part, so that the printed lines lie at 1; arrows mark the printed corner, circles the "
-        "printed peak (Fig. 8; our panels (c) and (d) have no ballast memory).",
-        fig_08),
-    report::figure("fig-09",
-                   "Height times width at half height replaces the area of the peak. Zone 7 near "
-                   "its line; the box has the area β C₁ (Fig. 9).",
-                   fig_09),
-    report::table("resolution",
-                  "Height and width of a peak depend on the segment, its area does not. A line "
-                  "without width seen through a Hann window, samples of 1 ft.",
-                  table_resolution)};
+const report::Section extraction{report::figure("fig-08", fig_08), report::figure("fig-09", fig_09),
+                                 report::table("resolution", table_resolution)};
 
 }  // namespace railbook::psd_chapter

@@ -17,18 +17,20 @@ plot ARG4 using "phi_cycle_per_m":"Q_mm2" with impulses lt 1 lw 4, \
      ARG4 using "phi_cycle_per_m":"Q_mm2" with points lt 1
 set key top right samplen 2
 set title "(b) Hann window"
-set ylabel "1/(cycle/m)"
-set yrange [0:330]
-set xrange [-0.15:0.15]
+set ylabel "window's spectrum, 1/(cycle/m)"
+set yrange [0:220]
+set xrange [-0.06:0.06]
+set xtics 0.03
 plot ARG3 using "phi_cycle_per_m":"W_fine" with lines lt 1 title "1024 ft", \
      ARG3 using "phi_cycle_per_m":"W_broad" with lines lt 2 title "256 ft"
 unset key
-set title "(c) lines seen through it"
-set ylabel "S, m²/(cycle/m)"
+set title "(c) the lines, seen through the window"
+set ylabel "S_z, m²/(cycle/m)"
 set logscale y
 set format y "10^{%L}"
 set yrange [1e-7:1e-2]
 set xrange [0:0.3]
+set xtics 0.1
 plot ARG1 using "phi_cycle_per_m":"S_fine" with lines lt 1, \
      ARG1 using "phi_cycle_per_m":"S_broad" with lines lt 2
 unset multiplot

@@ -16,6 +16,6 @@ set arrow from 0.12,1e-4 to 0.12,2.2e-5 head filled size screen 0.01,20 lc rgb b
 set label "slope −2" at 0.02,2e-3
 set label "slope −4" at 0.5,5e-7
 plot ARG1 using "phi_cycle_per_m":"S_one" with lines lc rgb light lw 1 title "one segment of 4096 ft", \
-     ARG1 using "phi_cycle_per_m":"S_five_miles" with lines lc rgb sky lw 1 title "average over five miles", \
+     ARG1 using "phi_cycle_per_m":"S_five_miles" with lines lc rgb blue lw 1 title "average over five miles", \
      ARG1 using "phi_cycle_per_m":"S_model" with lines lt 1 title "equation (4)", \
-     ARG3 using "phi_cycle_per_m":"S" with points lt 3 title "five miles and bands, 6 an octave"
+     ARG3 using "phi_cycle_per_m":"S" with points lt 3 ps 0.9 title "five miles and bands, 6 an octave"

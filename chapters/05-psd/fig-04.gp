@@ -11,7 +11,7 @@ set format y "10^{%L}"
 set xrange [0.05:0.13]
 set xtics 0.02
 set yrange [1e-7:1]
-set ylabel "S, m²/(cycle/m)"
+set ylabel "S_z, m²/(cycle/m)"
 set xlabel "wavenumber φ, cycle/m"
 set key top right samplen 2
 set label 1 "φ_0" at first 0.08413, graph 1.05 center

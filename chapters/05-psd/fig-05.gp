@@ -12,7 +12,7 @@ set ytics 10
 set ylabel "height, mm"
 set title "(a) dips random from joint to joint"
 plot ARG1 using "x_m":"random_mm" with lines lc rgb black lw 1.8
-set title "(b) the same spread, correlated: runs of deep joints are five long on the average"
+set title "(b) the same scatter, in groups: five deep joints in a row on average"
 set xlabel "distance, m"
 plot ARG1 using "x_m":"grouped_mm" with lines lc rgb black lw 1.8
 unset multiplot

@@ -5,13 +5,13 @@ load "style.gp"
 set terminal pngcairo size 1000,720
 set output ARG2
 unset key
-set multiplot layout 5,1 margins 0.08,0.98,0.1,0.98 spacing 0,0.03
+set multiplot layout 5,1 margins 0.085,0.98,0.1,0.98 spacing 0,0.03
 set format x ""
 set xrange [0:130.8]
 set yrange [-21:6]
 set ytics 10
-set ylabel "mm" offset 1.5
-set label 1 "(a) old joints, 33-ft rails" at graph 0.012,0.13 left
+set ylabel "height, mm" offset 0.8
+set label 1 "(a) height with old joints, 33-ft rails" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"old_mm" with lines lt 1
 set label 1 "(b) what the reworked ballast keeps: the fundamental" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"fundamental_mm" with lines lt 1

@@ -5,7 +5,7 @@ load "style.gp"
 set terminal pngcairo size 1400,540
 set output ARG2
 set multiplot layout 1,2
-set lmargin 12
+set lmargin 15
 set xlabel "wavenumber φ, cycle/m"
 set ylabel "S_z, m²/(cycle/m)"
 set title "(a) linear axes"

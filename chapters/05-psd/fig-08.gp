@@ -15,7 +15,7 @@ set multiplot layout 2,3 margins 0.07,0.985,0.1,0.95 spacing 0.05,0.13
 do for [z = 1:6] {
   set title sprintf("(%s) zone %s", substr("abcdef", z, z), word(names, z)) offset 0,-0.7
   if (z > 3) { set xlabel "wavenumber φ, cycle/m" }
-  if (z % 3 == 1) { set ylabel "S / printed random part" offset 1 } else { unset ylabel }
+  if (z % 3 == 1) { set ylabel "S_z / printed random part" offset 1 } else { unset ylabel }
   is(name) = name eq word(names, z)
   plot 1 with lines ls guide, \
        ARG1 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_over_printed" with lines lc rgb blue lw 1.6 dt solid title (z == 6 ? "synthetic track" : ""), \

@@ -11,9 +11,9 @@ set xrange [0.055:0.115]
 set yrange [0:5e-4]
 set format y "%.1t·10^{%T}"
 set ytics add ("0" 0)
-set xlabel "wavenumber, cycle/m"
-set ylabel "S, m^2/(cycle/m)" offset -1
-set lmargin 13
+set xlabel "wavenumber φ, cycle/m"
+set ylabel "S_z, m²/(cycle/m)"
+set lmargin 15
 set key top right
 phi = P_max
 half = 0.5 * (L_max + H_max)

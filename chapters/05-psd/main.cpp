@@ -1,9 +1,9 @@
 /*** # Track spectra: which speed may this stretch of track carry?
 
 A measuring car (a *geometry car*) brings home kilometres of heights, and the railroad wants one
-answer from them: which speed class can each stretch of track be held to? Without a way from the
-record to the class, the railroad finds single defects only. It does not see whether a whole stretch
-is rough, or whether its joints have sunk.
+answer from them: in which speed class is each stretch of track? Without a way from the record to
+the class, the railroad finds single defects only. It does not see whether a whole stretch is rough,
+or whether its joints have sunk.
 
 ::: {#live-psd .live figure=psd}
 
@@ -13,26 +13,27 @@ is rough, or whether its joints have sunk.
 
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its
-   spectrum at $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of the joints
-   from the power of this peak. Its formula has an amplitude that belongs to a *two-sided* spectrum,
-   in which half of the power stands at negative wavenumbers. Its equation (8), for the offset of a
-   chord, requires a *one-sided* spectrum. If its spectra are one-sided, a dip makes four times the
-   power that the formula says, and every $B$ in Table 1 is twice the physical dip.
-   {{outcome:lines/Q1-exact}}
-2. Does the paper's rule (10) give the classes of its Table 3? The rule compares an offset, computed
-   from the roughness and the dip of a stretch of track (a *zone*), with the limit of each class. We
-   take the coefficient $k$ of the roughness from the paper's (8) and (9), and the limits from the
-   federal standards. Then {{table-3-steady}} of 13 zones have the printed class, however the
-   printed numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient itself
-   cannot be read in our copy. The classes do not determine it either: every value from
+   spectrum at the wavenumber $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of
+   the joints from the area under this peak. Every $B$ in its Table 1 is twice the physical dip, if
+   its spectra are *one-sided*, as its equation (8) requires with the ½ that we restored in it. The
+   formula for $B$ takes half of the amplitude of a wave, as a *two-sided* spectrum has it, but
+   squares and halves it as if it were the whole amplitude. So a dip makes four times the area that
+   the formula says. {{outcome:lines/Q1-exact}}
+2. Does the paper's rule (10) give the classes of its Table 3? From the roughness and the dip of a
+   stretch of track (a *zone*) the rule computes an offset, and compares it with the limit of each
+   class. We take the coefficient $k$ of the roughness from the paper's (8) and (9), and the limits
+   from the federal standards. Then {{table-3-steady}} of 13 zones have the printed class, however
+   the printed numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient
+   cannot be read in our copy, and the classes do not determine it: every value from
    {{k-most-low}} to {{k-most-high}} gives at least twelve of the thirteen.
    {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
-   says that "the PSD cannot distinguish" them (the PSD is the spectrum). On five miles of its
-   jointed zones it hardly can, when depths scatter by half of their mean. At $\varphi_0$ the two
-   spectra differ by at most {{apart-line}} standard errors, because the line of the mean dip hides
-   the rest. Two steps of the wavenumber (bins) away they differ by {{apart-least}} to
-   {{apart-most}}. With more miles the difference shows. {{outcome:five-miles/distinguish}}
+   says that "the PSD cannot distinguish" them (PSD stands for power spectral density, the
+   spectrum). On five miles of its jointed zones a single value of it hardly can, if the depths
+   scatter by half of their mean. At $\varphi_0$ the two spectra differ by at most {{apart-line}}
+   standard errors, because the line of the mean dip hides the rest; two values away from
+   $\varphi_0$, by {{apart-least}} to {{apart-most}}. All values together differ by
+   {{together-least}} to {{together-most}}. {{outcome:five-miles/distinguish}}
 :::
 
 ## The paper
@@ -71,7 +72,8 @@ say of it. Tables and figures with a plain number are the paper's; those of this
 
 * **Line power, (1), (2) and (7).** The printed powers are a quarter of those of a one-sided density
   ({{outcome:lines/Q1-exact}}). $B$ of Table 1 is twice the physical dip if the measured densities
-  were one-sided; if they were two-sided, $\sqrt2$ times, and (8) is then wrong.
+  were one-sided; if they were two-sided, $\sqrt2$ times. Which they were rests on (8), whose
+  damaged ½ we restored: for two-sided densities nothing would stand there.
 * **Truncated numbers.** $Q_2$ below (2) and the two probabilities of three sigma are truncated, not
   rounded ({{outcome:lines/Q2-printed}}).
 * **Table 1.** In rows 1, 3, 6 and 8 $C_1$, $\beta$ and $B$ do not fit (7) within their rounding
@@ -89,13 +91,15 @@ say of it. Tables and figures with a plain number are the paper's; those of this
   rebuilt after the survey.
 * **The coefficient $k$ of (10)** cannot be read. (8) gives {{k-19}} ({{outcome:table-k/k-19}}), and
   the printed classes allow any from {{k-most-low}} to {{k-most-high}}.
-* **(6).** Height times width at half height is the area of the peak only when the peak has the
-  shape that a good window gives it ({{outcome:resolution/Q1}}). For a peak broadened by the track
-  itself it is too small.
-* **"The PSD cannot distinguish"** random from grouped dips: not at a glance, and not on a few
-  miles; their spectra differ all the same ({{outcome:five-miles/distinguish}}).
-* **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). Dips that scale
-  joint by joint give {{staircase-ratio}} to 1.
+* **(6).** Height times width at half height is near the area of the peak only if the peak has the
+  shape of a window such as Hann's ({{outcome:resolution/Q1}}). If the track itself broadens the
+  peak, it is too small.
+* **"The PSD cannot distinguish"** random from grouped dips: not at a glance, nor by a single
+  ordinate on a few miles. All ordinates together, or more miles, can
+  ({{outcome:five-miles/distinguish}}).
+* **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). If each dip is
+  deeper or shallower as a whole, the lower sideband has {{staircase-ratio}} times the power of the
+  upper.
 
 Damage of our copy, which is machine-read text without the drawings: the square root's ½ in (8),
 confirmed by derivation; a digit of (5); the coefficient of (10); exponents of zone 13; the plot
@@ -107,11 +111,11 @@ symbols of Figure 11.
   between both rails (crosslevel), of the line of the track or of its curvature, and it assumes that
   the stretch is of one kind from end to end. It has no phase, so it finds no single defect and
   cannot say where a joint is broken.
-* **Two slopes, one set of lines.** White noise of the sensor needs a term of its own, and old rails
-  under the new ones a second set of lines.
+* **Two slopes, one set of lines.** The model has no term for white noise of the sensor and no
+  second set of lines for old rails under the new ones.
 * **Rule (10) does not ask for the rail length.** The 62-ft chord sees {{sees-39}} of a dip on 39-ft
-  rail and {{sees-30}} on 30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe
-  side for the latter.
+  rail and {{sees-30}} on 30-ft rail; the rule counts both with $\gamma=2$, of the printed $B$,
+  which is twice the physical dip, and is far on the safe side for the latter.
 * **The synthetic dips are Gaussian.** From a scatter of about 0.4 of their mean on, some joints are
   humps instead of dips. Corners below 0.002 cycle/m would need longer filters than the generator
   has.
@@ -119,8 +123,9 @@ symbols of Figure 11.
 ## Use it
 
 The command `railbook psd classify` reads a table with a column of positions and one of heights and
-does all steps of this page, with standard errors and the odds (the probability) of each class. Here
-it reads 20 km of synthetic track with the numbers of zone 7:
+does all steps of this page, with standard errors and the odds (here the probability) of each class.
+Here it reads 20 km of synthetic track with the numbers of zone 7. The margin is the part of the
+class limit that is left:
 
 ```console
 $ railbook psd synthesize track.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm
@@ -148,9 +153,9 @@ for each kilometre.
 
 ## Try next
 
-**Which class is zone 12?** Make it of 30-ft rail, the length that its printed $\varphi_0$ belongs to.
-The paper prints class 2. The answer is class 3 with a margin of 2.7 %, and leaves a small chance to
-class 2:
+**Which class is zone 12?** Make it of 30-ft rail, the length that its printed $\varphi_0$ belongs
+to. The paper prints class 2. This record gives class 3 with a margin of 2.7 % and a small chance of
+class 2; the [study](05-psd-study.html) reads 200 such records, and not all of them are so clear:
 
 ```console
 $ railbook psd synthesize zone-12.csv --length 20km --roughness '8e-7m^2*cycle/m' --corner 0.18cycle/m --dip 25mm --rail 30ft
@@ -166,8 +171,9 @@ $ railbook psd classify zone-12.csv --column profile --rail 30ft
 ...
 ```
 
-**What do uneven joints do?** Let their depths scatter by half of their mean. Between the peaks the spectrum rises,
-the fit takes this for roughness, and $A$ comes out 8 % too high; the note at the end of the answer says what a scatter of 20 % would add:
+**What do uneven joints do?** Let their depths scatter by half of their mean. Between the peaks the
+spectrum rises, the fit takes this for roughness, and $A$ comes out 8 % too high; the note at the
+end of the answer says what a scatter of 20 % would add:
 
 ```console
 $ railbook psd synthesize uneven.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm --scatter 0.5
@@ -179,8 +185,8 @@ $ railbook psd classify uneven.csv --column profile
 ...
 ```
 
-**Which rail has the track?** Synthesise 33-ft rail and leave `--rail` out: the command finds the
-length in the spectrum, and says so.
+**Which rail does the track have?** Synthesise 33-ft rail and leave `--rail` out: the command finds
+the length in the spectrum, and says so.
 
 ```console
 $ railbook psd synthesize old.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm --rail 33ft
@@ -207,10 +213,9 @@ $ railbook psd classify old.csv --column profile
 The copy at hand names no author, venue or year. These are from the Transportation Research Board's
 catalogue (TRID 00128608): J. C. Corbin and W. M. Kaufman, in *Mechanics of Transportation Systems*,
 AMD-Vol. 15, presented at the Winter Annual Meeting of ASME, Houston, Texas, 30 November to 5
-December
-1975. No DOI was found. The paper cites its sources by number, and its list of references is not in
-      the copy. Not the paper's: the limits of the classes, 49 CFR 213.63 (class 6 as of the 1970s;
-      not looked up again), and their speeds, 49 CFR 213.9 and, for class 6, 213.307.
+December 1975. No DOI was found. The paper cites its sources by number, and its list of references
+is not in the copy. Not the paper's: the limits of the classes, 49 CFR 213.63 (class 6 as of the
+1970s; not looked up again), and their speeds, 49 CFR 213.9 and, for class 6, 213.307.
 
 :::
 */

@@ -19,7 +19,7 @@ set lmargin at screen 0.055
 set rmargin at screen 0.475
 set tmargin at screen 0.93
 set bmargin at screen 0.60
-set title "{/:Bold The rail}, dips drawn far too deep" offset 0,-0.4
+set title "{/:Bold The rail}, its dips {/:Italic B} drawn far too deep" offset 0,-0.4
 unset border
 unset xtics
 unset ytics
@@ -33,7 +33,7 @@ set label 1 "mid-chord offset" at 2*l,-0.12 center tc rgb red
 set label 2 "chord {/:Italic L} = 62 ft (19 m)" at 9.5,1.36 center tc rgb red
 set arrow 6 from 13,1.2 to 16.5,end+0.03 lw 1.2 lc rgb red size 0.6,20 filled
 set arrow 3 from l,0 to l,1 heads filled size 0.6,20 lw 1.6 lc rgb black
-set label 3 "dip {/:Italic B}" at l-0.5,0.25 right
+set label 3 "{/:Italic B}" at l+0.8,0.72
 set arrow 4 from 0.5*l,1 to 1.5*l,1 nohead ls guide
 set arrow 5 from 2*l,1.17 to 3*l,1.17 heads filled size 0.6,20 lw 1.6 lc rgb blue
 set label 4 "rail length {/:Italic l} = 1/φ_0" at 2.5*l,1.36 center tc rgb blue

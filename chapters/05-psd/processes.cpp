@@ -2,18 +2,19 @@
 
 The *power spectral density* (PSD, here also *spectrum*) $S_z$ of a record of heights $z$ tells how
 the variance of $z$ is spread over the *wavenumber* $\varphi$, the number of waves a metre. Its unit
-is m² per cycle/m, and its area between two wavenumbers is the variance of that part of the record.
-A *one-sided* density has all of it at positive wavenumbers. A *two-sided* one has half of it at
-negative wavenumbers, and so is half as high.
+is m² per cycle/m. The area under it between two wavenumbers, also called *power*, is the variance
+of that part of the record. A *one-sided* density has all of it at positive wavenumbers. A
+*two-sided* one has half of it at negative wavenumbers, and so is half as high.
 
-The value of a spectrum at one wavenumber is called an ordinate. A single Fourier transform gives
-ordinates whose standard error is as large as they are themselves, so Welch's method averages over
-many pieces of the record. The function `average_spectrum` cuts the record into segments of `n`
-samples that overlap by half, takes the best straight line off each, multiplies it by a Hann window
-(a bell that is zero at both ends, so that the cut ends add no waves), transforms it, and averages
-the squares. The ordinates are one *bin* apart, the reciprocal of the length of a segment. The
-factor 2 makes the density one-sided, and the sum of the squared weights makes its area the
-variance.
+The value of a spectrum at one wavenumber is called an *ordinate*. Its *standard error* is the
+scatter that it would show over many records of the same track. For a single Fourier transform this
+is as large as the ordinate itself, so Welch's method averages over many pieces of the record.
+
+The function `average_spectrum` cuts the record into segments of `n` samples that overlap by half.
+It takes the best straight line off each segment, multiplies it by a Hann window (a bell that is
+zero at both ends, so that the cut ends add no waves), transforms it, and averages the squares. The
+ordinates are one *bin* apart, the reciprocal of the length of a segment. The factor 2 makes the
+density one-sided, and the sum of the squared weights makes its area the variance.
 
 {{code: method.cpp average_spectrum}}
 
@@ -39,21 +40,25 @@ $$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
 
 $$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
-**Two conventions.** In the Fourier series
-$B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$ the amplitude
-of a cosine is twice the printed $B_n$. The printed one is the modulus of the complex coefficient,
-which belongs to a two-sided spectrum, but (2) halves its square as if it were the amplitude of the
-cosine. In a one-sided density a line therefore has four times the printed power. The sum over all
-lines shows it. It must be the variance of the profile, $B^2(\frac12-\frac4{\pi^2})$ =
-{{line-variance}} $B^2$; the exact powers give {{line-sum-exact}}, the printed ones
-{{line-sum-printed}}.
+**Two conventions.** The Fourier series of the profile is
+$B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$, and the
+amplitude of its cosines is twice the printed $B_n$. The printed $B_n$ is the modulus of the complex
+coefficient, which belongs to a two-sided spectrum. But (2) halves its square as if it were the
+amplitude of a cosine. In a one-sided density a line therefore has four times the printed power.
+
+The sum over all lines shows this. It must be the variance of the profile,
+$B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$. The exact powers add up to
+{{line-sum-exact}} $B^2$, the printed ones to {{line-sum-printed}} $B^2$.
 
 What this makes of the dips depends on how the paper measured its spectra, which it does not say. If
-they were one-sided, as (8) requires, the paper's formula (7) gives dips twice as deep as they are.
-If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by
-$\sqrt2$. We take them as one-sided and keep two numbers apart: the *printed* $B$, which goes into
-(7), (10) and the tables, and the *physical dip*, which is half of it. The classes do not depend on
-the choice, because the same power of the line enters the rule (10) either way.
+they were one-sided, as (8) with its restored ½ requires, the paper's formula (7) gives dips twice
+as deep as they are. If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8)
+would be too small by $\sqrt2$. We take them as one-sided and keep two numbers apart: the *printed*
+$B$, which goes into (7), (10) and the tables, and the *physical dip*, which is half of it.
+
+Rule (10) takes the printed $B$, which follows from the measured peak by (7) whatever the
+convention, so the joints' part of it stays. The random part depends on it: if the densities were
+two-sided, $k$ would be twice as large, and zone 7 would leave its printed class ({{table-k}}).
 
 The function `line_power` of the library has both conventions. {{lines}} gives the first three lines
 in each.
@@ -61,8 +66,6 @@ in each.
 {{code: spectra/rail_line.cpp line_power}}
 
 {{lines}}
-
-The printed $Q_2$ is truncated, not rounded.
 */
 #include <fmt/format.h>
 
@@ -122,10 +125,8 @@ void lines(report::Item& item) {
              "a transform of the sampled profile");
   double sum_printed = 0, sum_exact = 0;
   for (int n = 1; n <= 2000; ++n) sum_printed += as_printed(n), sum_exact += exact(n);
-  item.value("Q2", as_printed(2), "", "{:.3e}");
-  item.value("line-variance", variance, "", "{:.6f}");
-  item.value("line-sum-exact", sum_exact, "", "{:.6f}");
-  item.value("line-sum-printed", sum_printed, "", "{:.6f}");
+  report::values(item, "", "{:.6f}", "line-variance", variance, "line-sum-exact", sum_exact,
+                 "line-sum-printed", sum_printed);
 }
 
 }  // namespace
@@ -156,7 +157,8 @@ double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df
 
 namespace {
 
-// The area under the first line of equal dips of 10 mm, in the estimate from segments of so many feet.
+// The area under the first line of equal dips of 10 mm, in the estimate from segments of so many
+// feet.
 double area_of_first_line(std::size_t segment) {
   const auto estimate = record_spectrum({.dip = 10 * mm}, 20 * km, {.segment = segment});
   double area = 0;
@@ -203,21 +205,21 @@ waves, which makes the slope $-4$ beyond the corner. Waves longer than about 100
 were built on purpose.
 
 Only averages over segments, that is over miles, and over neighbouring wavenumbers make a spectrum
-readable. {{fig-03}} shows both on five miles of synthetic track. The standard error, counted over
-many such records, is {{raw-scatter}} of the ordinate for one segment and {{mean-scatter}} for the
-average over five miles.
+readable. {{fig-03}} shows both on five miles of synthetic track, that is of random numbers with the
+spectrum (4). The standard error, counted over many such records, is {{raw-scatter}} of the ordinate
+for one segment and {{mean-scatter}} for the average over five miles.
 
 {{fig-03}}
 
-The track comes from a generator whose spectrum is (4) by construction. A filter turns white noise
-(independent random numbers) into the slope of the track along its length, and a running sum of the
-slope is the profile.
+The generator of the track filters white noise (independent random numbers) into the slope of the
+track along its length. A running sum of the slope is the profile.
 
 {{fold}}
 */
 constexpr spectra::TrackParameters fair_track{.A = 2.0e-7, .phi_c = 0.12};  // zone 4 of Table 1
 
-// The standard error of an ordinate relative to it, bins 20 to 1500, over many records of `samples` each.
+// The standard error of an ordinate relative to it, bins 20 to 1500, over many records of `samples`
+// each.
 double scatter(std::size_t samples, int records) {
   spectra::TrackGenerator generator{synthetic(fair_track, 1)};
   std::vector<double> z(samples);
@@ -252,31 +254,12 @@ void fig_03(report::Item& item) {
   item.claims({{"ordinate", {single}},
                {"averages", {averaged, 1 / std::sqrt(all.averages), averaged / single}}});
 
-  item.value("raw-scatter", 100 * single, "%", "{:.0f}");
-  item.value("mean-scatter", 100 * averaged, "%", "{:.0f}");
+  report::values(item, "%", "{:.0f}", "raw-scatter", 100 * single, "mean-scatter", 100 * averaged);
 }
 
 }  // namespace
 
-const report::Section processes{
-    report::figure("fig-01",
-                   "Rails sag at their joints. The paper's rectified sine for rails of 39 ft, in "
-                   "units of the dip B (Fig. 1; drawn from the formula).",
-                   fig_01),
-    report::table("lines",
-                  "The printed powers of the lines are a quarter of the exact ones. Lines 1 to 3 "
-                  "of the rectified sine by (1) and (2), and in a one-sided spectrum.",
-                  lines),
-    report::figure(
-        "fig-02",
-        "The analysis gives a line its height and width. (a) Lines without width; (b) the window's "
-        "own spectrum, of area 1, for two lengths of segment; (c) the lines as both windows show "
-        "them, narrower and higher by the longer one (Fig. 2; dips of 10 mm).",
-        fig_02),
-    report::figure("fig-03",
-                   "One segment gives a ragged spectrum, five miles a readable one. Spectra of "
-                   "synthetic track of zone 4, against the model (4); triangles are averages over "
-                   "bands of wavenumbers as well (Fig. 3).",
-                   fig_03)};
+const report::Section processes{report::figure("fig-01", fig_01), report::table("lines", lines),
+                                report::figure("fig-02", fig_02), report::figure("fig-03", fig_03)};
 
 }  // namespace railbook::psd_chapter

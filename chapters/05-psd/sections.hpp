@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <railbook/report/chapter.hpp>
+#include <railbook/report/values.hpp>
 #include <railbook/spectra/rail_line.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/spectra/track_spectrum.hpp>
@@ -33,7 +34,8 @@ struct Zone {
 };
 std::vector<Zone> zones(const report::Item& item);
 
-// B of equation (7) from the printed C_1 and beta, with both as printed or at an end of their rounding.
+// B of equation (7) from the printed C_1 and beta, with both as printed or at an end of their
+// rounding.
 enum class Rounding { down, none, up };
 double dip_by_7(const Zone& zone, Rounding rounding = Rounding::none);
 
@@ -42,18 +44,19 @@ report::Expectation truncated(const std::string& printed);
 
 // The power of line n of a rectified sine of dip 1, sampled and transformed: no formula in it.
 double line_power_by_transform(std::size_t n);
-// The density (per cycle/m) of a line of unit power, `offset` from it, seen with a Hann window in bins `df`: the
-// square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one. And that of some lines at phi.
+// The density (per cycle/m) of a line of unit power, `offset` from it, seen with a Hann window in
+// bins `df`: the square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one. And that of
+// some lines at phi.
 double hann_line(double offset, double df);
 double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df);
 // The variance that a chord (m) reads on S = 1/phi^2, without the closed form of (8).
 double variance_by_quadrature(double chord);
 
-// Welch's estimate: the mean power of segments of n samples that overlap by half, each without its straight line and under a
-// Hann window. One-sided, at the wavenumbers k/(n spacing).
+// Welch's estimate: the mean power of segments of n samples that overlap by half, each without its
+// straight line and under a Hann window. One-sided, at the wavenumbers k/(n spacing).
 std::vector<double> average_spectrum(std::span<const double> z, double spacing, std::size_t n);
-// The lines of slope -2 and -4 that fit best, in logarithms, to what lies off the lines of a rail 1/phi_1 long, between 0.01 and
-// 1.2 cycle/m.
+// The lines of slope -2 and -4 that fit best, in logarithms, to what lies off the lines of a rail
+// 1/phi_1 long, between 0.01 and 1.2 cycle/m.
 spectra::TrackParameters lay_two_lines(const std::vector<double>& density, double df, double phi_1,
                                        double averages);
 // What stands above the random part within 0.02 cycle/m of the rail's first line; B by (7).
@@ -65,8 +68,8 @@ Peak read_peak(const std::vector<double>& density, double df,
 // By (10), with the chord of 19 m; 0 where not even the limit of class 1 is kept.
 int highest_class(double A, double B);
 
-// How many standard errors one of `rows` normal numbers exceeds, to either side, by chance once in a hundred times: 1 % shared out
-// among the rows (Bonferroni).
+// How many standard errors one of `rows` normal numbers exceeds, to either side, by chance once in
+// a hundred times: 1 % shared out among the rows (Bonferroni).
 double by_chance(int rows);
 
 // A zone as a track to be synthesised, and the spectrum of the first `length` metres of a track.

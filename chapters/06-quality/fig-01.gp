@@ -52,8 +52,8 @@ set arrow 15 from px(5),py(0.2) to px(10),py(0.2) arrowstyle 2 lc rgb black
 set label 11 "wavelength λ" at px(7.5),py(0.42) center
 set arrow 16 from px(7.5),py(-0.5) to px(7.5),py(-0.25) nohead lw 3 lc rgb black front
 set label 12 "amplitude A" at px(7.5),py(-0.78) center font ",10" front
-set label 13 "What may A be, if no speed up to the posted one\nis to use up more than the stroke limit x_0?" at px(4.0),py(4.2) font ",11"
-set label 14 "Short waves: A constant.\nLong waves: A grows as λ^2.\nVery short waves: the wheel force decides." at px(4.0),py(3.0) font ",11"
+set label 13 "What may A be, if no speed up to\nthe posted one is to use up more\nthan the stroke limit x_0?" at px(4.6),py(4.4) font ",11"
+set label 14 "Short waves: A constant.\nLong waves: A grows as λ^2.\nVery short waves: the wheel\nforce decides." at px(4.6),py(2.75) font ",11"
 plot ARG1 using (px(column("x"))):(py(column("z"))):(-20) with filledcurves y=0 fc rgb "#EFEBE2", \
      ARG1 using (px(column("x"))):(py(column("z"))) with lines lt 1 lw 2.4, \
      ARG3 using (px(column("x"))):(py(column("z"))) with lines lt 1 lw 2.0
@@ -67,24 +67,24 @@ set rmargin at screen 0.985
 set xrange [0:850]
 set xtics 100 nomirror
 set tmargin at screen 0.47
-set bmargin at screen 0.30
+set bmargin at screen 0.315
 set format x ""
 set yrange [-20:70]
 set ytics 20 nomirror
-set ylabel "track z, mm"
-set label 1 "a hill of 300 m" at 250,36 center
+set ylabel "track z, mm" offset 0.6,0
+set label 1 "a hill of 300 m" at 250,12 center
 set label 2 "a bump\nof 10 m" at 500,52 center
 set label 3 "waves of 50 m" at 675,32 center
 plot ARG4 using "x_m":"z_mm" with lines lt 4 dt 1 lw 2.2
-set tmargin at screen 0.265
-set bmargin at screen 0.08
+set tmargin at screen 0.28
+set bmargin at screen 0.105
 set format x "%g"
 set yrange [-1.3:1.3]
 set ytics 0.5 nomirror
-set ylabel "descriptor p"
-set xlabel "distance, m"
+set ylabel "descriptor p" offset 1.2,0
+set xlabel "distance, m" offset 0,0.4
 unset label 1; unset label 2; unset label 3
-set label 1 "the limit of the vehicle" at 10,1.15
+set label 1 "the limit for lasting waves" at 10,1.2
 set arrow 1 from 0,1 to 850,1 nohead ls guide
 set arrow 2 from 0,-1 to 850,-1 nohead ls guide
 plot ARG4 using "x_m":"descriptor" with lines lt 3 dt 1 lw 2.0

@@ -14,7 +14,7 @@ set x2range [1:0.001]
 set x2tics ("1" 1, "0.1" 0.1, "0.01" 0.01, "0.001" 0.001)
 set x2label "spatial frequency φ, cycle/m" offset 0,-0.4
 set tmargin 4.5
-set rmargin 2
+set rmargin 3.5
 set arrow from 1,1 to 1000,1 nohead ls guide
 set label "peak as printed, 55 m" at 62,3.2 font ",10" textcolor rgb "#A84300"
 set label "short waves:\nthe body stays,\nthe stroke is the wave" at 1.3,0.45 font ",10"

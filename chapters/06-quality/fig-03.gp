@@ -9,7 +9,7 @@ set yrange [0.5:1000]
 set format y "%g"
 set xlabel "wavelength λ, m"
 set ylabel "allowed amplitude, cm"
-set rmargin 2
+set rmargin 3.5
 set arrow from 1,2.54 to 1000,2.54 nohead ls guide
 set label "stroke limit, 2.54 cm" at 700,3.6 right font ",10"
 set label "resonance as printed" at 64,0.95 font ",10" textcolor rgb "#A84300"

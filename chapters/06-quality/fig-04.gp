@@ -9,7 +9,7 @@ set yrange [0.5:1000]
 set format y "%g"
 set xlabel "wavelength λ, m"
 set ylabel "allowed amplitude, cm"
-set rmargin 2
+set rmargin 3.5
 set label "the least over all\nspeeds up to 100 km/h" at 130,4 font ",11"
 set label "at 20" at 10.2,0.78 right font ",10" textcolor rgb grey
 set label "40" at 21.3,0.78 center font ",10" textcolor rgb grey

@@ -5,10 +5,11 @@ set output ARG2
 unset key
 set logscale xy
 set xrange [0.01:0.5]
-set yrange [1e-8:0.1]
+set yrange [1e-7:0.1]
 set format y "10^{%L}"
 set format x "%g"
-set rmargin 2
+set xtics add (0.02, 0.05, 0.2, 0.5)
+set rmargin 2.5
 set xlabel "spatial frequency φ, cycle/m"
 set ylabel "density, m²/(cycle/m); heights of A² fitted"
 set label "a 48-km/h\nbranch line" at 0.17,6e-6 right font ",11"

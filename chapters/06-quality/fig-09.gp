@@ -12,6 +12,7 @@ set format x ""
 set tmargin at screen 0.97
 set bmargin at screen 0.48
 set yrange [0:4.8]
+set ytics 1
 set ylabel "density"
 set label 1 "descriptor" at 0.2,1.5 font ",11"
 set label 2 "strength of\nthe vehicle" at 1.15,3.2 font ",11" textcolor rgb "#A84300"
@@ -23,7 +24,8 @@ unset label 1; unset label 2
 set format x "%g"
 set tmargin at screen 0.42
 set bmargin at screen 0.165
-set yrange [0:*]
+set yrange [0:0.4]
+set ytics 0.1
 set xlabel "descriptor p"
 set ylabel "risk, ×10⁻³"
 plot ARG1 using "p":(1000 * column("product")) with filledcurves y=0 fc rgb "#A84300" fs transparent solid 0.35 noborder, \

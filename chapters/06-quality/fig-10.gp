@@ -1,6 +1,7 @@
 # alt: Two panels with the same logarithmic axes. Left, normal histograms at three times spread to ever wider parabolas without an end. Right, those of the blob have vertical edges, which move outwards.
 load "style.gp"
 set terminal pngcairo size 740,330 font "DejaVu Sans,11"
+set minussign
 set output ARG2
 unset key
 set multiplot layout 1,2

@@ -1,10 +1,10 @@
 /*** ## The descriptor: a filter for the record
 
-The curve says what is allowed of a sine, and a record of track is no sine. The paper's step is to
-read the severity $H(\varphi)$, the inverse of the allowed amplitude, as the gain of a filter. Since
-the track is run in both directions, the filter gets no phase: its weights are the same before and
-behind. Its output is the descriptor $p$, which reaches 1 on a sine whose amplitude is the allowed
-one.
+The envelope says which amplitude a sine may have, and a record of track is no sine. The paper's
+step is to read the severity $H(\varphi)$, the inverse of the allowed amplitude, as the gain of a
+filter. Since the track is run in both directions, the filter gets no phase: its weights are the
+same before and behind. Its output is the descriptor $p$, which reaches 1 on a sine whose amplitude
+is the allowed one.
 
 For the stroke, whose severity tends to $1/A_0$ for short waves, the weight at a distance $\xi$
 along the track is
@@ -14,25 +14,25 @@ $$w(\xi)=\frac{\delta(\xi)}{A_0}+2\int_0^{1/\lambda_p}\left(H(\varphi)-\frac1{A_
 where $\delta$ is the unit impulse. The curvature of the gain jumps at $\lambda_p$, so that the
 weights fade only as $\xi^{-3}$. The function `design_filter` computes them by a Fourier transform
 of the severity. It cuts them at twenty resonant wavelengths, tapers the outer half to zero, and
-takes off what remains of a constant, so that a level track gives 0.
+makes their sum zero, so that a track of constant height gives 0.
 
 {{code: quality/descriptor_filter.cpp design_filter}}
 
 The gain of these weights differs from the severity by at most {{gain-error}}, at {{gain-error-at}}.
-The severity of the wheel force grows with $\varphi^2$ and needs a shortest wavelength. The
-descriptor of a record is then the sum of the samples about each place with these weights, one for
-each pair at the same distance before and behind.
+The severity of the wheel force grows without bound, with $\varphi^2$, so a filter for it needs a
+shortest wavelength. The descriptor of a record is then the sum of the samples about each place with
+these weights, one for each pair at the same distance before and behind.
 
 ### Not a bound for single bumps
 
-A sine has no beginning. For a single bump the filter is a rule of thumb, and the truth can be
-computed: drive the vehicle over the bump at every speed. The bump is one wave of a raised cosine,
-as high as the flat level.
+The filter is made for sines without beginning or end. For a single bump it is a rule of thumb, and
+the truth can be computed: we drive the vehicle over the bump at every speed. The bump is one wave
+of a raised cosine, as high as the level.
 
 {{fig-bumps}}
 
-A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke.
-A single bump has no time to excite the resonance on which the filter counts. Most bumps are
+A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke
+limit. A single bump has no time to excite the resonance on which the filter counts. Most bumps are
 over-estimated, by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to
 {{over-limit}} times for still shorter ones. The worst under-estimate is {{under-most}}, at
 {{under-at}}.
@@ -98,31 +98,24 @@ void fig_bumps(report::Item& item) {
     const double p = descriptor_of_bump(length), x = worst_stroke_over_bump(length);
     data.add(length, p, x);
     if (length == 10) {
-      item.value("bump-10", p, "", "{:.3f}");
-      item.value("stroke-10", x, "", "{:.3f}");
+      report::values(item, "", "{:.3f}", "bump-10", p, "stroke-10", x);
     }
     if (p / x > over) over = p / x, over_at = length;
     if (1 - p / x > under) under = 1 - p / x, under_at = length;
   }
   item.value("over-most", over, "", "{:.1f}");
-  item.value("over-at", over_at, "m", "{:.0f}");
   // A bump of no length reads its height over the level, and uses up a stroke of its height.
   item.value("over-limit", level_limit().stroke / flat_level, "", "{:.2f}");
   item.value("under-most", 100 * under, "%", "{:.0f}");
-  item.value("under-at", under_at, "m", "{:.0f}");
   const auto taps = quality::design_filter(stroke_envelope(), {.spacing = spacing});
   item.value("gain-error", 100 * taps.gain_error, "%", "{:.2f}");
-  item.value("gain-error-at", taps.worst_at, "m", "{:.0f}");
+  report::values(item, "m", "{:.0f}", "over-at", over_at, "under-at", under_at, "gain-error-at",
+                 taps.worst_at);
   item.added("the paper does not look at single bumps");
 }
 
 }  // namespace
 
-const report::Section filter{
-    report::figure("fig-bumps",
-                   "The descriptor over-estimates short bumps. Peak of the descriptor, and largest "
-                   "stroke of the vehicle over all speeds, for a bump as high as the level, "
-                   "against its length. Not in the paper.",
-                   fig_bumps)};
+const report::Section filter{report::figure("fig-bumps", fig_bumps)};
 
 }  // namespace railbook::quality_chapter

@@ -1,10 +1,10 @@
 /*** ## From the descriptor to an index
 
 A geometry car, which measures track while it runs, gives over 5000 values a kilometre, and the
-filter gives as many. The foreman needs each one beyond $T_2$, the threshold for immediate repair.
-The planner needs the *histogram*, how often each value occurs.
+filter gives as many. The foreman needs each value beyond $T_2$, the threshold for immediate repair.
+The planner needs the *histogram*, which says how often each value occurs.
 
-The paper first weighs the two kinds of index in use. Averages such as the rms value suppress the
+The paper first weighs the two kinds of index in use. Averages, such as the rms value, suppress the
 single bad places, and counts of exceptions need thresholds, which so far "have been set
 arbitrarily". With a descriptor that is tied to the vehicle there is a reason for a threshold. So
 the paper proposes to say both at once, and writes
@@ -12,9 +12,9 @@ the paper proposes to say both at once, and writes
 $$T_2=\bar p+ns$$
 
 with the mean $\bar p$ and the standard deviation $s$ of the descriptor. The number $n$ falls as the
-track gets worse. It tells when the repair of single spots has to give way to production work, in
-which machines treat a whole stretch. A lower threshold $T_1$ is what new or rebuilt track has to
-meet.
+track gets worse. A small $n$ says that the repair of single spots has to give way to production
+work, in which machines treat a whole stretch. A lower threshold $T_1$ is what new or rebuilt track
+has to meet.
 
 {{fig-09}}
 
@@ -30,7 +30,9 @@ value of the histogram with the probability
 
 $$P=2\,\Phi\!\left(\frac{-1}{\sqrt{s^2+\sigma^2}}\right),$$
 
-here {{risk}}.
+here {{risk}}. With 5000 values a kilometre that would be about one derailment a kilometre if each
+value were a trial of its own. Neighbouring values are not, and the histogram is ours: the number
+shows how the formula works, and is no risk of a real track.
 
 The paper sets $T_2$ by the acceptable risk of derailment. With {{acceptable}} it is {{T2}}, so that
 $n$ = {{n}}, and {{per-km}} values a kilometre lie beyond it. Repairing all of them removes
@@ -108,9 +110,8 @@ void fig_09(report::Item& item) {
   item.value("acceptable", 100 * acceptable_risk, "%", "{:g}");
   item.value("risk", risk, "", "{:.1g}");
   item.value("T2", T_2, "", "{:.2f}");
-  item.value("n", T_2 / level_sd, "", "{:.1f}");
-  item.value("n-magnitude", (T_2 - mean) / std::sqrt(level_sd * level_sd - mean * mean), "",
-             "{:.1f}");
+  report::values(item, "", "{:.1f}", "n", T_2 / level_sd, "n-magnitude",
+                 (T_2 - mean) / std::sqrt(level_sd * level_sd - mean * mean));
   item.value("per-km", 2 * quality::share_above(0, level_sd, T_2) * per_km, "", "{:.0f}");
   item.value("removed", 100 * risk_beyond(T_2) / risk, "%", "{:.0f}");
   item.rebuilt(
@@ -119,12 +120,6 @@ void fig_09(report::Item& item) {
 
 }  // namespace
 
-const report::Section histogram{
-    report::figure("fig-09",
-                   "Figure 9. The risk comes from where the tail of the histogram meets the "
-                   "weakest vehicles. Above, densities of the descriptor and of the vehicle's "
-                   "strength with both thresholds; below, the risk, the histogram times the "
-                   "probability that a value derails. All numbers are ours.",
-                   fig_09)};
+const report::Section histogram{report::figure("fig-09", fig_09)};
 
 }  // namespace railbook::quality_chapter

@@ -48,8 +48,8 @@ LargeMotion settled_on(const StoppedBody& body, double limit, const Wave& wave, 
 
 }  // namespace
 
-// Each start runs in blocks of ten waves until it is forgotten or 30 s have passed; the free motion of
-// the paper's vehicle has then decayed by a factor of e^-19.
+// Each start runs in blocks of ten waves until it is forgotten or 30 s have passed; the free motion
+// of the paper's vehicle has then decayed by a factor of e^-19.
 std::vector<LargeMotion> find_large_motions(const StoppedBody& body, double limit, const Wave& wave,
                                             int side) {
   const double over = limit - body.gap;

@@ -29,8 +29,8 @@ struct Range {
   double low = 0, high = 0;  // frequencies, Hz
   double amplitude = 0;      // the highest of interest, m
 };
-// The same at neighbouring frequencies within a range, from low to high, as far as the motion exists;
-// in steps of half a per cent or less.
+// The same at neighbouring frequencies within a range, from low to high, as far as the motion
+// exists; in steps of half a per cent or less.
 std::vector<LargeMotion> least_amplitudes(const quality::StoppedBody& body, double limit,
                                           const LargeMotion& motion, const Range& range);
 

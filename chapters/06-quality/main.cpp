@@ -1,8 +1,9 @@
 /*** # How rough may a track be before a vehicle minds?
 
-A track may look smooth and still throw a freight car about, because waves of one length find the
-swing of its body on the springs. Limits that ask only for a height take no notice of this, so money
-is spent where no vehicle notices and is missing where one does.
+A track may look smooth and still throw a freight car about, because waves of one length excite the
+swing of its body on the springs. Limits that ask only for a height take no notice of this: they may
+demand repairs that no vehicle needs, and miss a place that one does. J. C. Corbin and A. E. Fazio
+asked which roughness a given vehicle can bear at each wavelength.
 
 ::: {#live-quality .live figure=quality}
 
@@ -11,46 +12,51 @@ is spent where no vehicle notices and is missing where one does.
 :::
 
 ::: findings
-1. How smooth must a track be at long waves? The paper finds one allowed amplitude for all waves
-   shorter than the one that excites resonance at top speed; for longer waves the allowed amplitude
-   grows with the square of the wavelength. For its linear vehicle both follow exactly from its
-   formula. {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
-2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be", as the
-   paper supposes? For any vehicle, shorter waves are never allowed more than longer ones. With the
-   paper's damping and with bump stops of ours, which the body meets at 0.6 of the stroke that it
-   may use, longer waves may grow with the square of their length as well.
-   {{outcome:fig-level/shape}} If the stops are as stiff as the spring, short waves still have one
-   constant allowed amplitude. If they are ten times as stiff, it falls from {{one-wave-10}} to at
-   most {{level-10}} for waves below {{second-10}} at 100 km/h, because every third wave can keep
-   the body swinging. {{outcome:fig-level/subharmonic}}
-3. Short waves load the wheel. Do the curves of that limit "not interpenetrate each other as speed
-   is changed"? This is not testable, because the paper prints neither masses nor dampers. It is
-   true if the damping is at least {{least-damping}} of the critical one (with which a free body
-   just no longer swings) and the body has at least twice the mass of the wheel.
+1. **How smooth must a track be at long waves?** The paper finds that one amplitude is allowed for all
+   waves shorter than the one that excites resonance at top speed, and that beyond it the allowed
+   amplitude grows with the square of the wavelength. For its linear vehicle both follow exactly
+   from its formula (constant amplitude: {{outcome:fig-05/level}}; growth:
+   {{outcome:fig-05/tail}}).
+2. **Is that so for "all vehicle models regardless of how complex or nonlinear they may be"**, as the
+   paper supposes? We gave its vehicle bump stops that are met at 0.6 of the stroke limit. At long
+   waves the allowed amplitude still grows with the square of the wavelength
+   ({{outcome:fig-level/shape}}). With stops as stiff as the spring, short waves still have one
+   allowed amplitude. With stops ten times as stiff it falls from {{one-wave-10}} to at most
+   {{level-10}} for waves below {{second-10}} at 100 km/h, because there the
+   body can make one swing in three waves, which keep it going
+   ({{outcome:fig-level/subharmonic}}). The damping is the paper's; the place and the stiffness of
+   the stops are ours.
+3. **Does a faster train always need smoother track at short waves?** There the force on the wheel
+   counts, and the paper says that its curves for different speeds do "not interpenetrate each other
+   as speed is changed". This is not testable, because the paper prints neither masses nor dampers.
+   If the body has at least twice the mass of the wheel, it is true when the damping is at least {{enough-damping}} of the critical one, with which a free body just ceases to swing.
 :::
 
 ## The idea
 
-J. C. Corbin and A. E. Fazio turn the question around. They drive a vehicle over a sine wave of the
-track. The vehicle can bear only so much *stroke* of its suspension, the change of length of the
-spring, before it meets a stop, and only so much force between wheel and rail. One metre of
-amplitude would use up each limit several times over. The inverse of the larger multiple is the
-amplitude, in metres, that may be left in the track at that wavelength. The least of it over all
-speeds up to the posted one, the line's speed limit, is what has to be maintained.
+The authors drive a vehicle over a sine wave of the track and ask how large its amplitude may be.
+The vehicle can bear only so much *stroke* of its suspension, the change of length of the spring,
+before it meets a stop, and only so much force between wheel and rail. Stroke and force of a linear
+vehicle grow in proportion to the amplitude, so each limit gives an amplitude at which it is
+reached.
 
-The curve of these amplitudes becomes a filter. Run over a record of the track, it gives the
-*descriptor*, which reaches 1 where the track uses up what the vehicle can bear. In the drawing, a
-hill of 60 mm uses up almost nothing, a short bump of 16 mm nearly all, and three waves of 12 mm
-three quarters.
+The smaller of the two, at the worst speed up to the *posted* one (the line's speed limit), is the
+amplitude that is *allowed* at this wavelength. It is what has to be maintained.
+
+The curve of the allowed amplitudes becomes a filter. Run over a record of the track, it gives the
+*descriptor*, which is 1 on a lasting wave of the allowed amplitude. In the drawing it stays near 0
+on a hill of 60 mm, reads {{read-bump}} on a short bump of 16 mm, and {{read-waves}} on three waves
+of 12 mm. It overrates the bump, which in truth uses up only {{stroke-10}} of the stroke limit
+({{fig-bumps}}).
 
 The thesis of the paper is that a measure of the present quality of track should "be made up only of
 data that represent loaded-track geometry", the shape of the rails under a train, because these
 determine how a given vehicle behaves.
 
 We have the paper as machine-read text, and none of its drawings. It prints few numbers and no
-masses or springs. So each formula is compared with an integration in time, each claim is tested and
-its range stated, and the paper's supposition about nonlinear vehicles is tried on a vehicle with
-the bump stops that it mentions.
+masses or springs. So we compare each formula with an integration in time, test each claim and state
+where it holds, and try the paper's supposition about nonlinear vehicles on a vehicle with the bump
+stops that it mentions.
 
 {{include: stroke.cpp}}
 
@@ -71,19 +77,17 @@ the bump stops that it mentions.
 ## Deviations
 
 * **The peak at 55 m** lies between the damped peak, {{peak-wavelength}}, and $v/f'$ =
-  {{resonance-wavelength}}, and neither of the two rounds to it. {{outcome:fig-02/peak-printed}}
-* **The unit gain at waves shorter than resonance** is a limit; at 20 m the gain is {{gain-20}}.
-  {{outcome:fig-02/unit-gain}}
+  {{resonance-wavelength}}, and neither of the two rounds to it ({{outcome:fig-02/peak-printed}}).
 * **Curves of the wheel force that do not cross** need a damping of {{damping-A}} of critical for
   car A. With the 0.2 of the roll mode they would cross. The paper does not print the damping that
   it uses for the wheel force.
-* **"<7 m" and ">100 m"**, the ends of the constant level, depend on a vehicle that is not printed;
-  {{fig-07}} says what car A gives. {{outcome:fig-07/short}} {{outcome:fig-07/long}}
+* **"<7 m" and ">100 m"**, the ends of the constant level, depend on a vehicle that is not printed,
+  and are not testable; {{fig-07}} says what car A gives.
 * **That the allowed power "resembles that of existing track"** is not testable: spectrum and
   vertical scale are lost. {{fig-08}} shows how far the spectrum of another line is from it.
-* **One level for every vehicle**: our stops give one, two or three levels, by their stiffness, gap
-  and damping; {{table-levels}} says which. {{outcome:fig-level/shape}}
-  {{outcome:fig-level/subharmonic}}
+* **One allowed amplitude at short waves for every vehicle**: our stops give one, two or three
+  ({{outcome:fig-level/subharmonic}}), by their stiffness, gap and damping; {{table-levels}} says
+  which.
 * **Damaged in our copy**: the minus of (3) and the first factor of (6), both restored
   ({{outcome:table-equations/six}}); (7) is read from fragments. Spatial frequency is in cycles/km
   in the paper's list of symbols and in cycles/m on the axis of its Figure 2; cycles/m is used.
@@ -99,10 +103,10 @@ the bump stops that it mentions.
   its bounce by profile.
 * The wheel never lifts, and the rail does not yield. Above some 20 Hz the track's own stiffness and
   the contact govern the force; chapter 07 has them.
-* The descriptor is a bound for a lasting sine of a linear vehicle, not for a bump ({{fig-bumps}}).
-  Of two sines on the envelope it reads up to 2. The paper says that an actual descriptor needs
-  "detailed analysis of combinatorial geometry inputs", several frequencies and several kinds of
-  geometry at once; that is not done here, except for the pairs of {{table-pairs}}.
+* The descriptor is a bound for a linear vehicle on a lasting sine, not on a bump ({{fig-bumps}}).
+  On two sines of allowed amplitude at once it reads up to 2. The paper says that an actual
+  descriptor needs "detailed analysis of combinatorial geometry inputs", several frequencies and
+  several kinds of geometry at once; that is not done here, except for the pairs of {{table-pairs}}.
 * The stops are elastic and symmetric, and the damper is linear. Freight-car damping is dry
   friction, which chapter 02 treats. The levels of {{fig-level}} are the lowest that a search found.
 * The stochastic part assumes independent, normal values; neighbouring values of a descriptor are
@@ -110,8 +114,8 @@ the bump stops that it mentions.
 
 ## Use it
 
-The curve for a car of your own, here that of the file `freight.toml` in the examples, which is car
-A:
+`railbook quality limit` gives the allowed amplitude for a car of your own, here for the file
+`freight.toml` of the examples, which is car A:
 
 ```console
 $ railbook quality limit --speed 100km/h --car freight.toml --wavelength 5m 20m 100m
@@ -125,7 +129,8 @@ $ railbook quality limit --speed 100km/h --car freight.toml --wavelength 5m 20m 
   at 100 m                           9.606 cm   (stroke)
 ```
 
-The descriptor of a record, here of two kilometres of crosslevel from the examples:
+`railbook quality index` gives the descriptor of a record, here of two kilometres of crosslevel from
+the examples:
 
 ```console
 $ railbook quality index track.csv --speed 100km/h --column crosslevel --out mine
@@ -168,8 +173,7 @@ track quality of rough.csv
 
 Under the pointer, each symbol of a formula says what it is.
 
-<details>
-<summary>All symbols of this chapter</summary>
+<details> <summary>All symbols of this chapter</summary>
 
 {{symbols}}
 

@@ -8,6 +8,7 @@
 #include <railbook/quality/descriptor.hpp>
 #include <railbook/quality/spreading.hpp>
 #include <railbook/report/chapter.hpp>
+#include <railbook/report/values.hpp>
 #include <railbook/units/constants.hpp>
 
 namespace railbook::quality_chapter {
@@ -39,8 +40,8 @@ quality::StrokeLimit level_limit();  // the stroke behind Figure 5
 // leads to derailment with the probability that is taken to be acceptable.
 double repair_threshold();
 
-// The amplitude (m) that a search over speeds up to `speed` allows, in steps of a five-hundredth: no
-// closed form of the envelope is used. Either limit may be absent.
+// The amplitude (m) that a search over speeds up to `speed` allows, in steps of a five-hundredth:
+// no closed form of the envelope is used. Either limit may be absent.
 double allowed_by_search(const quality::Descriptor& descriptor, double wavelength);
 
 // Rebuilt: data/cars.csv and data/speeds.csv.

@@ -15,14 +15,15 @@ $C$.
 
 {{fig-08}}
 
-At the short end both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). From
-there to the resonance the allowed power is flat, or falls with $\varphi^{-1}$, while the spectrum
-falls with $\varphi^{-2}$. Beyond it the allowed power rises with the fourth power of the wavelength
-and this spectrum with the second. From 2 to 100 m the shapes differ by {{mismatch-squared}} decades
-(rms, the height fitted) for equally wide bands and by {{mismatch-relative}} for bands in equal
-ratios.
+At the shortest waves both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). On
+the level the allowed power is constant, or falls with $\varphi^{-1}$, while the spectrum falls with
+$\varphi^{-2}$. For waves longer than the resonance the allowed power rises with the fourth power of
+the wavelength, and this spectrum with the second. After a fit of the height, the shapes differ from
+2 to 100 m by a root mean square (rms) of {{mismatch-squared}} decades for equally wide bands, and
+of {{mismatch-relative}} for bands in equal ratios.
 
-The line is far smoother than the vehicle needs. A sine with the power of a third of an octave is
+This line is far smoother than car A needs at 64 km/h. We take the sine that has the power of the
+spectrum in a third of an octave, a band from $2^{-1/6}$ to $2^{1/6}$ times its frequency. It is
 {{margin-20}} times smaller than the allowed amplitude at 20 m, {{margin-5}} times at 5 m and
 {{margin-100}} times at 100 m.
 
@@ -73,8 +74,7 @@ void fig_08(report::Item& item) {
   for (const double w : num::log_spaced(1, 1000, 60))
     data.add(1 / w, spectra::random_psd(track, 1 / w), squared(1 / w) * std::pow(10, -offset_2),
              relative(1 / w) * std::pow(10, -offset_3));
-  item.value("mismatch-squared", rms_2, "", "{:.2f}");
-  item.value("mismatch-relative", rms_3, "", "{:.2f}");
+  report::values(item, "", "{:.2f}", "mismatch-squared", rms_2, "mismatch-relative", rms_3);
   for (const double w : {5.0, 20.0, 100.0}) {  // a sine with the power of a third octave
     const double low = std::pow(2, -1.0 / 6) / w, high = std::pow(2, 1.0 / 6) / w;
     item.value(fmt::format("margin-{:g}", w),
@@ -88,12 +88,6 @@ void fig_08(report::Item& item) {
 
 }  // namespace
 
-const report::Section spectrum{
-    report::figure("fig-08",
-                   "Figure 8. Squared, the allowed amplitude is only roughly like a spectrum of "
-                   "track. Solid, the spectrum of another slow line; broken, the squared amplitude "
-                   "taken as a spectrum in two ways, for bands of equal width and for bands in "
-                   "equal ratios, with fitted heights. The paper's curves are lost.",
-                   fig_08)};
+const report::Section spectrum{report::figure("fig-08", fig_08)};
 
 }  // namespace railbook::quality_chapter

@@ -1,8 +1,9 @@
 /*** ## Long waves: the stroke of the suspension
 
 A wheel of mass $m$ follows the track, whose height is $z$. Above it a body of mass $M$ rests on a
-spring of stiffness $k$ and a damper of constant $b$, and moves by $y$. The *stroke* of the
-suspension is $x=y-z$. The balance of the body, and the dynamic force $g$ on the wheel, are
+spring of stiffness $k$ and a damper of constant $b$, and moves up by $y$. The *stroke* of the
+suspension is $x=y-z$. The rail presses the wheel upwards with its static load and a dynamic part
+$g$. The balance of the body, and this force, are
 
 $$M\ddot y+b\dot x+kx=0 \tag{1}$$
 
@@ -19,7 +20,8 @@ damping, as a fraction of the critical one, $\rho=b/2\sqrt{kM}$. A sine of the t
 $\lambda$, taken at speed $v$, shakes it with the frequency $v\varphi$, where $\varphi=1/\lambda$ is
 the *spatial frequency*. Only the ratio of the two frequencies counts, $\eta=v\varphi/f'$. The
 paper's example is the *roll mode*, the swing of the body from side to side, with $f'$ = 0.5 Hz and
-$\rho$ = 0.2. With $Z$ and $X$ the amplitudes of track and stroke,
+$\rho$ = 0.2; for it, $z$ is the *crosslevel*, the height of one rail over the other. With $Z$ and
+$X$ the amplitudes of track and stroke,
 
 $$\left|\frac XZ\right|=\Gamma(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
 
@@ -33,50 +35,48 @@ overflows.
 
 The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ =
 {{resonance-wavelength}}. The paper's 55 m lies between the two, and neither of them rounds to it.
-The gain of 1 at short waves is reached only in the limit; at 20 m it is {{gain-20}}. Turned upside
-down, with the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
+The gain of 1 at short waves is reached only in the limit; at 20 m it is {{gain-20}}. The stroke may
+be $x_0$ = 2.54 cm. Divided by the gain, this is the amplitude that the track may have:
 
 {{fig-03}}
 
 ## Every speed up to the limit
 
 A train may run slower than posted. At half the speed the resonance sits at half the wavelength, so
-that another wave is the worst one. The amplitude $A$ that is allowed is therefore the least over
-all speeds.
+that another wave is the worst one. So the allowed amplitude $A$ is the smallest of those for all
+speeds up to the posted one. The curve of these smallest amplitudes is the *envelope*.
 
 {{fig-04}}
 
-The curves cross, as the paper says: a slower train may be worse off. {{outcome:fig-04/cross}}
+The curves cross, as the paper says: on some waves a slower train needs the smoother track
+({{outcome:fig-04/cross}}).
 
-For the linear vehicle the least needs no search. Slower trains meet a wave at all frequencies below
-$v\varphi$. As long as these stay below the peak, full speed is the worst, and the *envelope*, the
-curve of the least amplitudes, is the curve at full speed. Once the peak is among them, the worst
-speed is the one that meets it:
+For the linear vehicle the envelope needs no search over speeds. Slower trains meet a wave at all
+frequencies below $v\varphi$. As long as these stay below the peak of the gain, full speed is the
+worst, and the envelope is the curve at full speed. For shorter waves, beyond $\lambda_p$, the worst
+speed is the one that meets the peak, and the allowed amplitude has a constant *level* $A_0$:
 
 $$A(\lambda)=\frac{x_0}{\Gamma(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A_0=2\rho\sqrt{1-\rho^2}\,x_0\quad(\lambda\le\lambda_p),\qquad
 \lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
 
-The library computes with the *severity*, the inverse of the allowed amplitude. In `operator()` the
-severity at full speed is found for each limit. Where that frequency lies beyond the peak, and the
-peak is higher, the function `beyond` puts the peak in its place. Of the two severities the larger
+The library computes with the *severity*, the inverse of the allowed amplitude. For each limit,
+`operator()` takes the severity at full speed. If a slower train meets the wave at the frequency of
+the peak, and the peak is higher, `beyond` takes the peak instead. The larger of the two severities
 counts.
-
-{{code: quality/descriptor.cpp beyond}}
 
 {{code: quality/descriptor.cpp operator}}
 
 {{fig-05}}
 
-The flat level is the 1.6 cm that freight-car tests asked for; it takes a stroke of
-{{level-stroke}}. The paper names three features of these curves, and all follow from the formula.
-The level is constant below the resonance at top speed; a search over {{search-speeds}} speeds finds
-the same. The amplitude grows with the square of the wavelength in the end. And the damping governs
-how fast the rise begins, by $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
+The level is here the 1.6 cm that freight-car tests asked for, which corresponds to a stroke limit
+of {{level-stroke}}. The paper names three features of these curves, and all follow from the
+formula. The level reaches from the resonance at top speed to the shortest waves; a search over
+{{search-speeds}} speeds finds the same. The amplitude grows with the square of the wavelength in
+the end. And the damping governs how fast the rise begins: it stands in the second term of
+$A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$, with $\lambda_0=v/f'$.
 
 {{fold}}
 */
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -109,7 +109,8 @@ double allowed_by_search(const quality::Descriptor& descriptor, double wavelengt
 namespace {
 
 // A hill of 300 m, a bump of 10 m and three waves of 50 m on level track, and the descriptor of it.
-void add_record(report::Data& data) {
+void add_record(report::Item& item) {
+  report::Data& data = item.data("record", {"x_m", "z_mm", "descriptor"});
   constexpr double step = 0.5, margin = 600, length = 850;  // m
   const auto height = [](double x) {
     if (x > 100 && x < 400) return 0.060 * std::pow(std::sin(units::pi * (x - 100) / 300), 2);
@@ -122,8 +123,14 @@ void add_record(report::Data& data) {
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = height(place(i));
   const quality::Envelope envelope{{level_limit(), {}, track_speed}};
   const auto p = quality::filter_periodic(envelope, step, z);
-  for (std::size_t i = before; i < z.size() - before; ++i)
-    data.add(place(i), z[i] / units::millimetre, p[i]);
+  double bump = 0, waves = 0;
+  for (std::size_t i = before; i < z.size() - before; ++i) {
+    const double x = place(i);
+    data.add(x, z[i] / units::millimetre, p[i]);
+    if (std::abs(x - 500) < 10) bump = std::max(bump, std::abs(p[i]));
+    if (x > 600 && x < 750) waves = std::max(waves, std::abs(p[i]));
+  }
+  report::values(item, "", "{:.2f}", "read-bump", bump, "read-waves", waves);
 }
 
 void fig_01(report::Item& item) {
@@ -137,7 +144,7 @@ void fig_01(report::Item& item) {
   for (int i = 0; i <= 9; ++i)
     spring.add(-0.75 + (i == 0 || i == 9 ? 0 : i % 2 == 0 ? 0.16 : -0.16), 2.2 + 0.115 * i);
   spring.add(-0.75, 3.55);
-  add_record(item.data("record", {"x_m", "z_mm", "descriptor"}));
+  add_record(item);
   item.sketch("drawn after the words; the descriptor of a record of ours is computed");
 }
 
@@ -147,7 +154,7 @@ double gain_at_100(double wavelength) {
 
 void fig_02(report::Item& item) {
   const table::CsvTable printed = item.printed("printed.csv");
-  item.expect_checks(3);
+  item.expect_checks(1);
   auto& data = item.data({"wavelength_m", "gain"});
   for (const double w : num::log_spaced(1, 1000, 200)) data.add(w, gain_at_100(w));
   const double peak = quality::flat_until(inch_limit, track_speed);
@@ -158,15 +165,10 @@ void fig_02(report::Item& item) {
              report::relative(0.04,
                               "whole metres between the damped peak and v/f', which differ "
                               "by 4 %"));
-  item.claim(
-      "unit-gain", "unit gain for wavelengths shorter than resonance",
-      std::abs(gain_at_100(1) - 1) < 0.01 && gain_at_100(20) > 1,
-      fmt::format("in the limit: {:.4f} at 1 m, {:.2f} at 20 m", gain_at_100(1), gain_at_100(20)));
-  item.claim("roll-off", "rolls off dramatically at wavelengths longer than resonance",
-             std::abs(power_of_wavelength(gain_at_100, 3000) + 2) < 0.002,
-             fmt::format("with the square of the wavelength: {:.3f} at 300 m", gain_at_100(300)));
-  item.value("peak-wavelength", peak, "m", "{:.2f}");
-  item.value("resonance-wavelength", track_speed / roll.frequency, "m", "{:.2f}");
+  item.claims({{"unit-gain", {gain_at_100(1), gain_at_100(20)}},
+               {"roll-off", {power_of_wavelength(gain_at_100, 3000), gain_at_100(300)}}});
+  report::values(item, "m", "{:.2f}", "peak-wavelength", peak, "resonance-wavelength",
+                 track_speed / roll.frequency);
   item.value("gain-20", gain_at_100(20), "", "{:.3f}");
 }
 
@@ -188,28 +190,31 @@ void fig_03(report::Item& item) {
              1e-4, "2ρ√(1−ρ²) x₀; the curve has 400 points a decade");
 }
 
+// How far the amplitude at a slower speed is below that at full speed, relatively.
+double drop(double wavelength, double speed) {
+  return 1 - severity_at(inch_limit, track_speed, 1 / wavelength) /
+                 severity_at(inch_limit, speed, 1 / wavelength);
+}
+
 void fig_04(report::Item& item) {
-  item.expect_checks(1);
   auto& envelope = item.data({"wavelength_m", "amplitude_cm"});
   auto& single = item.data("single", {"speed_kmh", "wavelength_m", "amplitude_cm"});
   const auto grid = num::log_spaced(1, 1000, 60);
-  double drop = 0;  // of a slower train's amplitude below that at full speed
+  double most = 0;
   for (const double v : {20.0, 40.0, 60.0, 80.0, 100.0}) {
     for (const double w : grid) {
-      const double amplitude = allowed_amplitude(severity_at(inch_limit, v * kmh, 1 / w));
-      single.add(v, w, amplitude / cm);
-      drop = std::max(
-          drop, 1 - amplitude / allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w)));
+      single.add(v, w, allowed_amplitude(severity_at(inch_limit, v * kmh, 1 / w)) / cm);
+      most = std::max(most, drop(w, v * kmh));
     }
     single.gap();
   }
   for (const double w : grid)
     envelope.add(w, allowed_amplitude(severity(inch_limit, track_speed, 1 / w)) / cm);
-  item.claim("cross", "the curves of different speeds interpenetrate", drop > 0.01,
-             fmt::format("a slower train may need {:.0f} % less amplitude", 100 * drop));
+  item.claims({{"cross", {100 * most}}});
 }
 
-// How far the amplitude has risen above the flat level at 1.2 times the wavelength at which it is left.
+// How far the amplitude has risen above the flat level at 1.2 times the wavelength at which it is
+// left.
 double early_rise(double damping) {
   const quality::StrokeLimit limit{{roll.frequency, damping}, inch_limit.stroke};
   const double corner = quality::flat_until(limit, track_speed);
@@ -217,39 +222,33 @@ double early_rise(double damping) {
          allowed_amplitude(severity(limit, track_speed, 1 / corner));
 }
 
+// The largest deviation from the level below the resonance at top speed, by a search over speeds.
+double off_level(const quality::StrokeLimit& limit, double speed) {
+  double most = 0;
+  for (const double w : num::log_spaced(1, 1000, 60))
+    if (w < quality::flat_until(limit, speed))
+      most = std::max(most, std::abs(allowed_by_search({limit, {}, speed}, w) / flat_level - 1));
+  return most;
+}
+
 void fig_05(report::Item& item) {
   const quality::StrokeLimit limit = level_limit();
   auto& data = item.data({"speed_kmh", "wavelength_m", "amplitude_cm"});
-  item.expect_checks(3);
-  double flattest = 0;  // largest deviation from the level below the resonance at top speed
+  double flattest = 0;
   for (const double v : speeds(item)) {
-    for (const double w : num::log_spaced(1, 1000, 60)) {
-      const double amplitude = allowed_amplitude(severity(limit, v, 1 / w));
-      data.add(v / kmh, w, amplitude / cm);
-      if (w < quality::flat_until(limit, v)) {
-        const double searched = allowed_by_search({limit, {}, v}, w);
-        flattest = std::max(flattest, std::abs(searched / flat_level - 1));
-      }
-    }
+    for (const double w : num::log_spaced(1, 1000, 60))
+      data.add(v / kmh, w, allowed_amplitude(severity(limit, v, 1 / w)) / cm);
     data.gap();
+    flattest = std::max(flattest, off_level(limit, v));
   }
-  // The next term of the series above makes it 2 + 2 (1 - 2 rho^2)/(lambda/lambda_0)^2, 6e-4 more at 3 km.
+  // The next term of the series above makes it 2 + 2 (1 - 2 rho^2)/(lambda/lambda_0)^2, 6e-4 more
+  // at 3 km.
   const double power = power_of_wavelength(
       [&](double w) { return allowed_amplitude(severity(limit, track_speed, 1 / w)); }, 3000);
-  item.claim("level",
-             "a constant level from the resonance at maximum speed to arbitrarily short waves",
-             flattest < 1e-4,
-             fmt::format("a search over speeds finds it constant within {:.1g} %, for every "
-                         "track speed",
-                         100 * flattest));
-  item.claim("tail", "the amplitude ultimately grows with the square of the wavelength",
-             std::abs(power - 2) < 0.002, fmt::format("power {:.3f} at 3 km", power));
-  item.claim(
-      "damping", "damping controls how fast control may be relaxed just above resonance",
-      early_rise(0.1) > early_rise(0.2) && early_rise(0.2) > early_rise(0.4),
-      fmt::format("20 % above the corner the amplitude has risen {:.2f}, {:.2f}, {:.2f} times "
-                  "for ρ = .1, .2, .4",
-                  early_rise(0.1), early_rise(0.2), early_rise(0.4)));
+  const double light = early_rise(0.1), usual = early_rise(0.2), heavy = early_rise(0.4);
+  item.claims({{"level", {100 * flattest}},
+               {"tail", {power}},
+               {"damping", {light / usual, usual / heavy, light, usual, heavy}}});
   item.value("level-stroke", limit.stroke / cm, "cm", "{:.2f}");
   item.value("search-speeds", search_speeds, "", "{:.0f}");
   item.rebuilt("the speeds of the curves; the paper's labels are not legible");
@@ -257,33 +256,8 @@ void fig_05(report::Item& item) {
 
 }  // namespace
 
-const report::Section stroke{
-    report::figure("fig-01",
-                   "Figure 1. What a vehicle minds is not what looks rough. Above, the vehicle: "
-                   "one wheel, one body, a spring, a damper and a bump stop, on a wave of the "
-                   "track. Below, a record of track and its descriptor at 100 km/h, a filtered "
-                   "record that is 1 where the track uses up what the spring may give: the 60-mm "
-                   "hill leaves it near 0, the 16-mm bump and the 12-mm waves nearly reach 1. The "
-                   "paper's drawing is lost in our copy; the stop and the record are ours.",
-                   fig_01),
-    report::figure("fig-02",
-                   "Figure 2. At 100 km/h waves of about 55 m shake the body most. Amplitude of "
-                   "the stroke over that of the track against wavelength, for the paper's 0.5 Hz "
-                   "and damping 0.2.",
-                   fig_02),
-    report::figure("fig-03",
-                   "Figure 3. At one speed the least track is allowed at resonance. Amplitude that "
-                   "uses up the paper's 2.54 cm of stroke at 100 km/h.",
-                   fig_03),
-    report::figure("fig-04",
-                   "Figure 4. Over all speeds the allowance is level up to the resonance at top "
-                   "speed, and then rises. Thin, the allowed amplitude at five speeds; thick, the "
-                   "least over all speeds up to 100 km/h.",
-                   fig_04),
-    report::figure("fig-05",
-                   "Figure 5. A faster line must be smooth up to longer waves. The allowed "
-                   "amplitude for five track speeds in km/h, with the paper's level of 1.6 cm for "
-                   "short waves; the speeds are ours.",
-                   fig_05)};
+const report::Section stroke{report::figure("fig-01", fig_01), report::figure("fig-02", fig_02),
+                             report::figure("fig-03", fig_03), report::figure("fig-04", fig_04),
+                             report::figure("fig-05", fig_05)};
 
 }  // namespace railbook::quality_chapter

@@ -18,11 +18,12 @@ set logscale xy
 set format "10^{%T}"
 set xrange [2e3:5e-4]
 set key outside right top
-set ylabel "time, s"
+set ylabel "run time, s"
 if (timed > 0) {
   plot for [m = 1:3] ARG1 using "mass_kg":(of(m, "seconds")) with points lt m title word(methods, m)
+  unset key
 }
 set xlabel "mass of the rail, kg"
-set ylabel "evaluations of the rates"
+set ylabel "evaluations"
 plot for [m = 1:3] ARG1 using "mass_kg":(of(m, "evaluations")) with points lt m title word(methods, m)
 unset multiplot

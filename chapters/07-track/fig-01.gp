@@ -3,8 +3,8 @@
 load "style.gp"
 set terminal pngcairo size 1000,460
 set output ARG2
-set xlabel "normalised distance from the load, βX"
-set ylabel "a(X) = y / y(0)"
+set xlabel "distance from the load, βX"
+set ylabel "deflection over that under the load, a"
 set xrange [-4:4]
 set yrange [1.1:-0.2]
 set key bottom right

@@ -66,5 +66,5 @@ set label "under the other wheel, by a(b)" at 2.25,3.12 center tc rgb red
 set label "pads and ties" at 2.25,2.7 center
 set label "ballast and subgrade" at 2.25,1.2 center
 set label "Hertz contact" at -1.35,4.1 center
-set label "F = C_H x^{3/2}" at -1.35,3.85 center
+set label "F = C_H x@_+^{3/2}" at -1.35,3.85 center
 plot ARG1 using "x":"y" with lines lt 1 lw 2

@@ -2,21 +2,25 @@
 # alt: feels: the mean of both, which has two dips in a rail length, and half their difference,
 # alt: which has one wave.
 load "style.gp"
-set terminal pngcairo size 1000,560
+set terminal pngcairo size 1000,520
 set output ARG2
 set multiplot layout 2,1
+unset key
 set xrange [0:117]
 set xtics 19.5
-set yrange [0.6:-0.3]
 set ytics 0.2
 set lmargin 9
-set key horizontal top right
-set ylabel "rail, in (down)"
-plot ARG1 using "distance_ft":"left_in" with lines lt 1 title "left rail", \
-     ARG1 using "distance_ft":"right_in" with lines lt 2 title "right rail"
-set yrange [0.4:-0.6]
+set yrange [0.55:-0.12]
+set ylabel "sag, in"
+set label 1 "left rail" at 58.5,-0.05 center
+set label 2 "right rail" at 78,-0.05 center tc rgb blue
+plot ARG1 using "distance_ft":"left_in" with lines lt 1, \
+     ARG1 using "distance_ft":"right_in" with lines lt 2
+set yrange [0.32:-0.37]
 set xlabel "distance, ft"
-set ylabel "car feels, in"
-plot ARG1 using "distance_ft":"bounce_in" with lines lt 1 title "bounce", \
-     ARG1 using "distance_ft":"roll_in" with lines lt 2 title "roll"
+set ylabel "bounce and roll, in"
+set label 1 "bounce" at 58.5,0.12
+set label 2 "roll" at 58.5,-0.3
+plot ARG1 using "distance_ft":"bounce_in" with lines lt 1, \
+     ARG1 using "distance_ft":"roll_in" with lines lt 2
 unset multiplot

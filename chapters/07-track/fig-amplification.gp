@@ -15,6 +15,10 @@ set label "ζ = 0.05" at 1.1,3.1 tc rgb blue
 set label "ζ = 0.2" at 1.02,1.46 tc rgb red
 set label "ζ = 0.4" at 1.02,0.92 tc rgb green
 set label "ζ = 1" at 1.02,0.42 tc rgb purple
+set label "150" at 0.11,1.35 center tc rgb red
+set label "250" at 0.24,1.35 center tc rgb red
+set label "150" at 0.235,0.6 center tc rgb green
+set label "250" at 0.387,0.6 center tc rgb green
 plot ARG3 using 1:2 with lines lt 1, \
      ARG1 using 1:2 with lines lt 2, \
      ARG1 using 1:3 with lines lt 3, \

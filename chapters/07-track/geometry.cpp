@@ -14,6 +14,10 @@ by $L/2$ changes the sign of odd harmonics only; {{harmonics}} shows it by a Fou
 sampled surfaces.
 
 {{harmonics: rows}}
+
+The *cross level*, the difference in height of the two rails, is twice the roll in the table.
+Staggered joints put their odd harmonics into it; coincident joints, as in Britain, are the same on
+both rails and put nothing into it.
 */
 #include <fmt/format.h>
 
@@ -39,22 +43,28 @@ std::string parity(std::span<const double> amplitudes) {
   return "both";
 }
 
-void harmonics(report::Item& item) {
-  constexpr int samples = 1 << 14, shown = 9;
-  std::vector<double> bounce, roll;
+constexpr int shown = 9;
+
+// Amplitudes of bounce and of roll on half-staggered rails, from a Fourier transform of samples.
+std::pair<std::vector<double>, std::vector<double>> bounce_and_roll() {
+  constexpr int samples = 1 << 14;
+  std::vector<double> bounce(samples), roll(samples);
   for (int i = 0; i < samples; ++i) {
     const auto both = half_staggered({1, 1}, double(i) / samples);
-    bounce.push_back(both.bounce);
-    roll.push_back(both.roll);
+    bounce[std::size_t(i)] = both.bounce, roll[std::size_t(i)] = both.roll;
   }
-  const auto b = cosine_amplitudes(bounce, shown), r = cosine_amplitudes(roll, shown);
+  return {cosine_amplitudes(bounce, shown), cosine_amplitudes(roll, shown)};
+}
+
+void harmonics(report::Item& item) {
+  const auto [b, r] = bounce_and_roll();
   const table::CsvTable claims = item.printed("numbers.csv");
   item.expect_checks(2);
   item.print_text("roll", claims.at("roll", "what"), claims.at("roll", "printed"), parity(r));
   item.print_text("bounce", claims.at("bounce", "what"), claims.at("bounce", "printed"), parity(b));
   item.columns({{"harmonic of 39 ft", "{:.0f}"},
                 {"wavelength, ft", "{:.3f}"},
-                {"one rail, (4/pi)/(4n^2-1)", "{:.6f}"},
+                {"one rail, (4/π)/(4n²−1)", "{:.6f}"},
                 {"bounce", "{:.6f}"},
                 {"roll", "{:.6f}"}});
   for (int n = 1; n < shown; ++n) {
@@ -82,18 +92,19 @@ car feels of them.
 
 The second kind of input is random. Cross level is the difference in height of the two rails. Our
 copy has the legends of the paper's Figure 6, but not its curves. They name a spectrum of cross
-level for an idealized track of class 6 (the US classes rise with the speed permitted, up to 6), and the ranges of data measured on a high-speed
-demonstration track and on British Rail. In its place we show a family of curves for the classes of
-the Federal Railroad Administration from the later literature (quoted by Frýba),
+level for an idealized track of class 6 (the US classes rise with the speed permitted, up to 6), and
+the ranges of data measured on a high-speed demonstration track and on British Rail. In its place we
+show a family of curves for the classes of the Federal Railroad Administration from the later
+literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
 with the wavenumber $\phi$ in cycles per length, and its roughness $A$ and break frequencies
 $\phi_1$, $\phi_2$ for class 6 and class 3. The marks at the top of {{fig-06}} show at which
 wavenumbers half-staggered 39-foot rails add power of their own, not how much. The height of the
-curves is doubtful. Other published lists of the same family have roughness constants $A$ about
-{{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once too
-often; amplitudes would be {{feet}} times as large. That is an inference from two such lists; the
+curves is doubtful: other published lists of the same family have roughness constants $A$ about
+{{feet-squared}} times as large, and so amplitudes {{feet}} times as large. This factor is
+$(1/0.3048)^2$, as if feet had been converted to metres twice in one of the lists; the
 original was not at hand. The shape of the curves does not depend on it.
 
 {{fig-06}}
@@ -101,8 +112,7 @@ original was not at hand. The shape of the curves does not depend on it.
 The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} for class 6 and
 {{rms-3}} for class 3 with these constants, {{rms-6-high}} and {{rms-3-high}} with the larger ones.
 The paper points to the different effect of staggered (North American) and coincident (British)
-joints on such spectra. Staggered joints put their odd harmonics into the cross level; coincident
-ones are the same on both rails and put nothing into it.
+joints on such spectra.
 
 :::
 */
@@ -145,22 +155,8 @@ void cross_level(report::Item& item) {
 
 }  // namespace
 
-const report::Section geometry{
-    report::table(
-        "harmonics",
-        "Staggered joints roll a car with odd harmonics and bounce it with even ones. Amplitudes "
-        "of the harmonics of 39-ft rails whose joints are half a rail apart on left and right.",
-        harmonics),
-    report::figure("fig-07",
-                   "Staggered joints roll a car once in a rail length and bounce it twice. Top: "
-                   "left and right rail. Bottom: bounce, the mean height of both rails, and roll, "
-                   "half of their difference (in place of the paper's Fig. 7, which is lost).",
-                   profile),
-    report::figure("fig-06",
-                   "Class 6 lies below class 3 by about one factor at all wavelengths. Spectra of "
-                   "cross level for two classes of track by a family of curves from later "
-                   "literature, whose height is doubtful; the marks show where staggered joints "
-                   "add power (in place of the paper's Fig. 6, which is lost).",
-                   cross_level)};
+const report::Section geometry{report::table("harmonics", harmonics),
+                               report::figure("fig-07", profile),
+                               report::figure("fig-06", cross_level)};
 
 }  // namespace railbook::track_chapter

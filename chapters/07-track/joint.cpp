@@ -5,20 +5,23 @@ Where two rails meet, bars bolted to both carry a part of the bending, or none w
 How much stiffness is left? Figure 3 of the paper shows the stiffness $K_j$ under a wheel near a
 joint for two kinds of joint: a *pinned* one, which carries shear but no bending, and a *free* one,
 which carries nothing. Both are cases of two semi-infinite rails linked by a shear spring $k_v$
-(N/m) and a rotational spring $k_\theta$ (N·m/rad).
+(N/m) and a rotational spring $k_{rot}$ (N·m/rad).
 
-Start from the unjointed rail. Where the joint does not carry the moment and the shear of that rail,
-a kink and a step open. With the wheel at the distance $\xi=\beta X$ from the joint, that moment and
-shear are proportional to $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$. By
-reciprocity (the theorem of Maxwell and Betti) a kink and a step at the joint deflect the rail below
-the wheel in proportion to the same two functions, and so these enter as squares:
+Start from the unjointed rail, with the wheel at the distance $\xi=\beta X$ from the place of the
+joint. There its moment is proportional to $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and its shear to
+$d(\xi)=e^{-\xi}\cos\xi$. A joint that does not carry the moment opens by a kink in proportion to
+$c$; one that does not carry the shear opens by a step in proportion to $d$. How far does the rail
+below the wheel sink by a kink or a step at the joint? By reciprocity (the theorem of Maxwell and
+Betti) in proportion to $c$ and to $d$ once more. So the deflection below the wheel, 1 for unjointed
+rail, grows by $c^2$ for a missing moment and by $2d^2$ for a missing shear:
 
 $$\frac{K_j}{K_r}=\frac1{1+\kappa_m\,c^2(\xi)+2\kappa_v\,d^2(\xi)},\qquad
-  \kappa_m=\frac1{1+2k_\theta/\beta EI},\qquad\kappa_v=\frac1{1+k_v/\beta^3EI}.$$
+  \kappa_m=\frac1{1+2k_{rot}/\beta EI},\qquad\kappa_v=\frac1{1+k_v/\beta^3EI}.$$
 
 The number $\kappa_m$ says how much of the moment is missing, $\kappa_v$ how much of the shear. The
-pinned joint has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1. The function
-`jointed_deflection` adds kink and step to the beam, for any load and place.
+pinned joint has $\kappa_m=1$, $\kappa_v=0$; the free joint, whose springs are zero, has both 1. The
+function `jointed_deflection` adds kink and step to the beam, for any load and place; `side` is the
+sign of that place, left or right of the joint.
 
 {{code: track/joint.cpp jointed_deflection}}
 
@@ -29,29 +32,30 @@ The squares in {{fig-03}} are a check with finite elements that are exact for th
 {{joint: checks}}
 
 At a free end exactly a quarter of $K_r$ is left: the paper's "as little as 25 percent". A pinned
-joint keeps a half, and its curve is **not monotone**. At $\xi=\pi/4$ the pin is where the rail has
-no bending moment, so that it makes no difference ($K_j=K_r$). Farther away the stiffness dips once
-more, to {{hinge-dip}} of $K_r$ at $\xi=\pi/2$. Beyond $\xi=2$, where the paper lets the joint's
-effect disappear, up to {{free-left}} (free) and {{hinge-left}} (pinned) of $K_r$ are missing.
+joint keeps a half, and its curve is **not monotone**. With the wheel at $\xi=\pi/4$ from it, the
+pin lies where the unbroken rail has no bending moment, and makes no difference ($K_j=K_r$). Farther
+away the stiffness dips once more, to {{hinge-dip}} of $K_r$ at $\xi=\pi/2$. Beyond $\xi=2$, where
+the paper lets the joint's effect disappear, up to {{free-left}} (free) and {{hinge-left}} (pinned)
+of $K_r$ are missing.
 
 Is there one formula for all joints? The paper offers one for the curves of Figure 3 and calls it "a
 good approximation of the curve":
 
-$$\frac{K_j}{K_r}=1-(1-\delta)(1-\sin\vartheta)^2,\qquad\vartheta=0.65\,\beta X\le\frac\pi2, \tag{8}$$
+$$\frac{K_j}{K_r}=1-(1-\delta)\bigl(1-\sin(0.65\,\beta X)\bigr)^2,\qquad0.65\,\beta X\le\frac\pi2, \tag{8}$$
 
 with $\delta$ the ratio $K_j/K_r$ at the joint. The paper does not say what "good" means, nor how
 the error is to be counted. For the free joint (8) errs by {{free-error-size}} of $K_r$ at most and
 by {{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much
 better. For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the
-root mean square. Ignoring the joint altogether ($K_j=K_r$) errs by {{hinge-out-rms}} in the root
-mean square; on {{hinge-worse}} of the distance up to $\xi=2$ even that is nearer to the curve than
-(8). A factor of {{hinge-factor}} suits the pinned joint better, but no monotone formula can follow
-its second dip.
+root mean square. Leaving the joint out ($K_j=K_r$) errs by {{hinge-out-rms}} in the root mean
+square, which is more; but on {{hinge-worse}} of the distance up to $\xi=2$ it is nearer to the
+curve than (8). A factor of {{hinge-factor}} suits the pinned joint better, but no monotone formula
+can follow its second dip.
 
 ::: {.fold summary="A joint in good condition"}
 
 A joint in good condition, says the paper, might lose "perhaps 25 to 30 percent". A joint that
-carries all shear loses as much if its rotational spring $k_\theta$ is between $\beta EI$ and
+carries all shear loses as much if its rotational spring $k_{rot}$ is between $\beta EI$ and
 $\frac23\beta EI$, which is {{k-theta-25}} to {{k-theta-30}} on the typical track.
 
 :::
@@ -61,6 +65,7 @@ $\frac23\beta EI$, which is {{k-theta-25}} to {{k-theta-30}} on the typical trac
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/report/values.hpp>
 #include <railbook/track/beam_elements.hpp>
 
 #include "sections.hpp"
@@ -83,7 +88,8 @@ double ratio_by_elements(const WinklerBeam& beam, const Joint& joint, double xi)
   return 1.0 / (solve_beam(model, {{node, 1.0}}).deflection(node) * beam.point_stiffness());
 }
 
-// What a kind of joint does to the rail: kappa_m = 1, kappa_v as given, delta the ratio at the joint.
+// What a kind of joint does to the rail: kappa_m = 1, kappa_v as given, delta the ratio at the
+// joint.
 struct JointCurve {
   double at_joint, lowest_beyond_2;
   JointFit fit;        // largest error of (8)
@@ -165,30 +171,17 @@ void joint_table(report::Item& item) {
     return std::vector{std::abs(c.fit.error), c.rms, c.rms_without, c.rms / c.rms_without};
   };
   item.claims({{"eq8-free", of(free)}, {"eq8-pinned", of(pinned)}});
-  item.value("free-rms", free.rms, "", "{:.2f}");
-  item.value("hinge-rms", pinned.rms, "", "{:.2f}");
-  item.value("hinge-out-rms", pinned.rms_without, "", "{:.2f}");
-  item.value("hinge-factor", pinned.best_factor, "", "{:.2f}");
-  item.value("free-error-size", std::abs(free.fit.error), "", "{:.2f}");
-  item.value("hinge-error-size", std::abs(pinned.fit.error), "", "{:.2f}");
-  item.value("free-left", 100 * (1 - free.lowest_beyond_2), "%", "{:.1f}");
-  item.value("hinge-left", 100 * (1 - pinned.lowest_beyond_2), "%", "{:.1f}");
+  report::values(item, "", "{:.2f}", "free-rms", free.rms, "hinge-rms", pinned.rms, "hinge-out-rms",
+                 pinned.rms_without, "hinge-factor", pinned.best_factor, "free-error-size",
+                 std::abs(free.fit.error), "hinge-error-size", std::abs(pinned.fit.error));
+  report::values(item, "%", "{:.1f}", "free-left", 100 * (1 - free.lowest_beyond_2), "hinge-left",
+                 100 * (1 - pinned.lowest_beyond_2));
   item.value("hinge-worse", 100 * pinned.worse, "%", "{:.0f}");
   item.value("hinge-dip", joint_stiffness_ratio(units::pi / 2, 1, 0), "", "{:.4f}");
 }
 
 }  // namespace
 
-const report::Section joint{
-    report::figure(
-        "fig-03",
-        "A joint takes stiffness away over some ten feet. Stiffness under a wheel near a joint "
-        "over that of unjointed rail: solid exact, dash-dotted by formula (8), squares by finite "
-        "elements; left a pinned joint (a hinge), right a free one (the paper's Fig. 3).",
-        fig_03),
-    report::table("joint",
-                  "A free joint leaves a quarter of the stiffness, a pinned one a half. What the "
-                  "paper says of joints, and the errors of (8).",
-                  joint_table)};
+const report::Section joint{report::figure("fig-03", fig_03), report::table("joint", joint_table)};
 
 }  // namespace railbook::track_chapter

@@ -39,12 +39,12 @@ set label 2 "speed {/:Italic V}" at 6,21 tc rgb blue
 set label 3 "wheel" at -15,12 center
 set label 4 "contact force {/:Italic F}" at 0.5,5.5 tc rgb red
 set arrow 4 from 0,5 to -13.2,0.2 lw 1.2 lc rgb red size 1.5,20 filled
-set arrow 5 from 28,9.5 to 1,-1.4 lw 1.2 lc rgb black size 1.5,20 filled
-set label 5 "joint" at 26,11.8
+set arrow 5 from 29,5.4 to 1,-1.4 lw 1.2 lc rgb black size 1.5,20 filled
+set label 5 "joint" at 29.6,6.2
 set label 6 "rail" at 26,-4.2 center tc rgb "#FFFFFF" front
 set label 7 "tie" at 9.75,-12.1 center tc rgb "#FFFFFF" front
-set label 8 "pad" at 22.5,-10.9 center
-set arrow 8 from 24.5,-9.8 to 26.4,-8.3 lw 1 lc rgb black nohead front
+set label 8 "pad" at 19.5,-10.9 center
+set arrow 8 from 22.3,-10 to 26.2,-8.2 lw 1 lc rgb black nohead front
 set label 9 "ballast" at 0,-20.5 center
 set label 10 "ground (subgrade)" at 0,-34 center
 plot "+" using 1:(surface($1)):(surface($1)-7.1) with filledcurves lc rgb "#707070", \

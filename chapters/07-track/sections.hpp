@@ -9,12 +9,14 @@ namespace railbook::track_chapter {
 
 inline constexpr double lb_per_in = units::lbf / units::inch;
 
-// The stiffness [N/m] of the ballast's pyramid by equation (6) as it is printed, and by adding up its slices.
+// The stiffness [N/m] of the ballast's pyramid by equation (6) as it is printed, and by adding up
+// its slices.
 double printed_ballast_stiffness(const track::TieSupport& support);
 double ballast_by_slices(const track::TieSupport& support);
 
-// The textbook's way to the deflection under a moving load, in static deflections: all four roots of p^4 + 4 theta^2 p^2 -
-// 8 zeta theta p + 4 = 0, the sum of the residues of those that die out ahead. Loses its digits where roots meet.
+// The textbook's way to the deflection under a moving load, in static deflections: all four roots
+// of p^4 + 4 theta^2 p^2 - 8 zeta theta p + 4 = 0, the sum of the residues of those that die out
+// ahead. Loses its digits where roots meet.
 double deflection_by_roots(double theta, double zeta);
 
 // A joint of 39-ft rails with a dip of so many inches.
@@ -22,8 +24,8 @@ inline track::RectifiedSine joint_dip(double inches) {
   return {inches * units::inch, 39 * units::foot};
 }
 
-// P1 and P2 [N] of the leading wheel of a truck of 70 in, at 60 mph over a dip of 0.5 in; `coupled`: the force of
-// each wheel also moves the rail below the other, as at rest.
+// P1 and P2 [N] of the leading wheel of a truck of 70 in, at 60 mph over a dip of 0.5 in;
+// `coupled`: the force of each wheel also moves the rail below the other, as at rest.
 struct LeadingPeaks {
   double first = 0, mean = 0;
 };

@@ -1,19 +1,21 @@
 /***
 ## A rail is a beam on a bed of springs
 
-How far does a rail sink under a wheel, and how far away is this felt? The paper takes the rail as an
-infinite beam of bending stiffness $EI$ (Young's modulus $E$ times the second moment $I$ of its
-section). The ties below it are smeared into a bed of springs of stiffness $K$ per length (psi, that
-is lbf/in for each inch of rail), the *foundation modulus* of one rail. At a distance $X$ from a
-wheel load $P$ the deflection $y$ is
+How far does a rail sink under a wheel, and how far away is this felt? The paper takes the rail as
+an infinite beam of bending stiffness $EI$ (Young's modulus $E$ times the second moment $I$ of its
+section). The ties below it are smeared into a bed of springs. Its stiffness $K$ is force for each
+inch of deflection and each inch of rail; (lbf/in)/in has the unit psi, although $K$ is no pressure.
+It is the *foundation modulus* of one rail. At a distance $X$ from a wheel load $P$ the deflection
+$y$ is
 
 $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X|),\qquad
   \beta=\left(\frac{K}{4EI}\right)^{1/4}, \tag{1}$$
 
 where $a$ is its shape, 1 under the load. One length, $1/\beta$, governs everything: how far a wheel
 is felt, how much two wheels of a truck (the frame under an end of the car) add to each other's
-deflection, how far the effect of a joint reaches. The function `winkler_shapes` gives $a$ and what
-its derivatives are made of. It is named after Winkler, who introduced the bed of springs.
+deflection, how far the effect of a joint reaches. The function `winkler_shapes`, named after
+Winkler, who introduced the bed of springs, returns four functions: $a$, and those to which the
+rail's slope, moment and shear are proportional.
 
 {{code: track/beam_on_foundation.cpp winkler_shapes}}
 
@@ -29,11 +31,12 @@ The stiffness that a wheel feels is
 $$K_r=\frac{P}{y(0)}=2\,(4EIK^3)^{1/4}. \tag{2}$$
 
 It is proportional to $K^{3/4}$ and only to $(EI)^{1/4}$: the ground matters far more than the rail.
-{{continuous}} has numbers for a common rail, 132RE (132 pounds a yard).
+{{continuous}} has numbers for a common rail, 132RE (132 pounds a yard, a standard American
+section).
 
 {{continuous: rows}}
 
-::: {.fold summary="Ten feet on average track: twice, and of two lengths"}
+::: {.fold summary="The paper calls two different lengths ten feet"}
 
 For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the
 wheel. With 132RE rail it is ten feet if $K$ = {{k-ten-feet}}; the typical track of this chapter was
@@ -47,14 +50,16 @@ so the two cannot both be exactly ten feet. On one track both can be "roughly" s
 The deflection is linear in the loads. A second wheel at a distance $b$ with the same load therefore
 adds the fraction $a(b)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(b))$:
 {{share-66}} of $K_r$ in a truck of 66 inches, {{share-108}} in one of 108 inches. Discrete ties
-change $K_r$ by {{worst-tie}} at most on the four rails and the tie spacings of 19.5 to 24 inches
-that were in use, so they are not why theory and experiment agree only "more or less".
+change $K_r$ by {{worst-tie}} at most on rails of 115 to 136 pounds a yard with ties 19.5 to 24
+inches apart. So ties that are all supported alike are not why theory and experiment agree only
+"more or less".
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/report/values.hpp>
 #include <railbook/track/beam_elements.hpp>
 
 #include "sections.hpp"
@@ -102,11 +107,23 @@ double worst_discreteness() {
   return worst;
 }
 
+// a(b) on the typical track at a distance in inches, and what is left of K_r under two such wheels.
+double share_of_neighbour(double inches) {
+  return winkler_shapes(typical_beam().beta() * inches * units::inch).a;
+}
+double stiffness_of_pair(double inches) {
+  const auto beam = typical_beam();
+  const WheelLoad pair[] = {{0, typical_wheel_load}, {inches * units::inch, typical_wheel_load}};
+  return stiffness_under_wheel(beam, pair, 0) / beam.point_stiffness();
+}
+
 void continuous(report::Item& item) {
-  item.rebuilt("the paper gives neither K nor the rail of its average track: 132RE rail");
+  item.rebuilt(
+      "the paper gives neither K nor the rail of its average track; these numbers are for 132RE "
+      "rail");
   item.columns({{"K, psi", "{:.0f}"},
                 {"β, 1/in", "{:.6f}"},
-                {"K<sub>r</sub>, lb/in", "{:.0f}"},
+                {"K<sub>r</sub>, lbf/in", "{:.0f}"},
                 {"K<sub>r</sub>, MN/m", "{:.2f}"},
                 {"first zero deflection at, ft", "{:.3f}"},
                 {"2/β, ft", "{:.3f}"}});
@@ -123,51 +140,38 @@ void continuous(report::Item& item) {
   item.row(printed, "zero")
       .print("printed", beam.zero_distance() / units::foot,
              report::fitted("the typical track was chosen to put zero deflection at ten feet"));
-  // One track for both of the paper's "roughly ten feet": one is above ten by the factor by which the other is below.
+  // One track for both of the paper's "roughly ten feet": one is above ten by the factor by which
+  // the other is below.
   const double both = 10 * units::foot * std::sqrt(reach_ratio);
   item.row(printed, "joint-reach")
       .print("printed", both / units::foot,
              report::relative(0.10,
                               "roughly; zero deflection, which the paper also puts at roughly ten "
                               "feet, is then as far above ten"));
-  const auto share = [&](double inches) {
-    return winkler_shapes(beam.beta() * inches * units::inch).a;
-  };
 
   const double worst = worst_discreteness();
-  item.claims(
-      {{"neighbour",
-        {share(66), share(108), modulus_for(0.75 * units::pi / (108 * units::inch)) / units::psi}},
-       {"ties", {100 * worst}}});
-  for (const double base : {66.0, 108.0}) {
-    const WheelLoad pair[] = {{0, typical_wheel_load}, {base * units::inch, typical_wheel_load}};
-    item.value(fmt::format("share-{}", base),
-               stiffness_under_wheel(beam, pair, 0) / beam.point_stiffness(), "", "{:.3f}");
-  }
+  item.claims({{"neighbour",
+                {share_of_neighbour(66), share_of_neighbour(108),
+                 modulus_for(0.75 * units::pi / (108 * units::inch)) / units::psi}},
+               {"ties", {100 * worst}}});
+  report::values(item, "", "{:.3f}", "share-66", stiffness_of_pair(66), "share-108",
+                 stiffness_of_pair(108));
   item.value("worst-tie", 100 * worst, "%", "{:.2f}");
   item.value("reach-ratio", 100 * reach_ratio, "%", "{:.0f}");
-  item.value("reach-both", both / units::foot, "ft", "{:.2f}");
-  item.value("zero-both", both / reach_ratio / units::foot, "ft", "{:.2f}");
-  item.value("k-both", modulus_for(2 / both) / units::psi, "psi", "{:.0f}");
-  item.value("k-ten-feet", modulus_for(0.75 * units::pi / (10 * units::foot)) / units::psi, "psi",
-             "{:.0f}");
+  report::values(item, "ft", "{:.2f}", "reach-both", both / units::foot, "zero-both",
+                 both / reach_ratio / units::foot);
+  report::values(item, "psi", "{:.0f}", "k-both", modulus_for(2 / both) / units::psi, "k-ten-feet",
+                 modulus_for(0.75 * units::pi / (10 * units::foot)) / units::psi);
   const double pull = -winkler_shapes(units::pi).a * typical_wheel_load * beam.beta() / 2;
-  const double weight =
+  const double mass =
       typical_rail().mass_per_length + typical_tie_mass / (2 * typical_support().tie_spacing);
-  item.value("uplift-pull", pull / lb_per_in, "lb/in", "{:.1f}");
-  item.value("uplift-weight", weight * units::standard_gravity / lb_per_in, "lb/in", "{:.1f}");
+  report::values(item, "lbf/in", "{:.1f}", "uplift-pull", pull / lb_per_in, "uplift-weight",
+                 mass * units::standard_gravity / lb_per_in);
 }
 
 }  // namespace
 
-const report::Section stiffness{
-    report::figure("fig-01",
-                   "A wheel is felt over some ten feet to each side. Shape of the rail under a "
-                   "point load by (1), against the Fourier integral (the paper's Fig. 1).",
-                   fig_01),
-    report::table("continuous",
-                  "The stiffness under a wheel goes with the ground to the power 3/4. 132RE rail "
-                  "on foundations from soft to stiff.",
-                  continuous)};
+const report::Section stiffness{report::figure("fig-01", fig_01),
+                                report::table("continuous", continuous)};
 
 }  // namespace railbook::track_chapter

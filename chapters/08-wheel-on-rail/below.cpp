@@ -1,26 +1,28 @@
 /*** ## Below the surface
 
-Steel yields, and cracks begin, where the stress is largest, which is rarely where the tractions are. A
-rectangular cell of constant pressure or traction has stresses in closed form (by Love and Cerruti).
-`from_pressure` makes those of a pressure from the derivatives of the cell's potential. Layer by layer they
-are then convolved with all cells by Fourier transforms:
+Steel yields, and cracks begin, where the stress is largest, and this is usually below the surface.
+The stresses below a rectangular cell of constant pressure or traction are known in closed form
+(Love and Cerruti). The sum over all cells is made by Fourier transforms, layer by layer. The
+stresses of one cell under pressure come from the derivatives of its potential, in `from_pressure`:
 
 {{code: contact/subsurface.cpp from_pressure}}
 
 {{fig-stress}}
 
 The measure of yielding is von Mises's equivalent stress. Without friction that of a round patch is
-largest, 0.62 of the largest pressure, at 0.48 of its radius. Sliding with a friction of 0.3 lifts it and
-brings it up, to {{third-stress}} of the largest pressure and {{third-depth}} below the right wheel at
-3 mm.
+largest, 0.62 of the largest pressure, at 0.48 of its radius below the surface. Sliding with a
+friction of 0.3 makes it larger: {{third-stress}} of the largest pressure, {{third-depth}} below the
+right wheel at 3 mm.
 
-At 8 mm the flange's patch is slender and slides across itself. Its largest stress, {{flange-stress}}, is
-at the surface, where a line contact has $\sqrt{(1-2\nu)^2+3\mu^2}=0.68$ with Poisson's ratio $\nu$ of
-0.28. A second one lies {{flange-second}} below it. Both are fractions of a pressure almost four times as
-high. Stresses are those of the tractions alone, on a half-space that stays elastic.
+At 8 mm the flange's patch is slender and slides across itself. Its largest stress,
+{{flange-stress}}, is at the surface, where a line contact has $\sqrt{(1-2\nu)^2+3\mu^2}=0.68$ with
+Poisson's ratio $\nu$ of 0.28. A second maximum lies {{flange-second}} below it. The figure shows
+fractions of the largest pressure, which is {{pressure-ratio}} as high at 8 mm as at 3 mm. Stresses
+are those of the tractions alone, on a half-space that stays elastic.
 
 {{fold}}
 */
+#include <railbook/report/values.hpp>
 #include <railbook/wheel_contact/stress.hpp>
 
 #include "case_a.hpp"
@@ -33,36 +35,47 @@ using namespace railbook::wheel_on_rail_chapter;
 
 namespace {
 
-void fig_stress(report::Item& item) {
-  item.added("stresses are not in the benchmark");
-  static const table::CsvTable published = item.printed("case-a.csv");
-  report::Data& data = item.data({"depth_mm", "sliding", "frictionless"});
-  for (const auto& [shift, name] : {std::pair{3, "third"}, {8, "flange"}}) {
-    const Wheel wheel = wheel_of(published, "right", shift);
-    const WheelInput input = wish_of(wheel, Method::full);
-    PatchResult p = solved(wheel, Method::full).patches.front();
-    const contact::LargestStress sliding = stresses(p, input).rail;
-    p.friction = 0;  // the same pressure alone
-    const contact::LargestStress alone = stresses(p, input).rail;
-    for (Eigen::Index k = 0; k < sliding.depths.size(); ++k)
-      data.add(sliding.depths[k] / units::millimetre, sliding.von_mises_at[k] / p.p_max,
-               alone.von_mises_at[k] / p.p_max);
-    data.gap();
-    const std::string key = name;
-    item.value(key + "-stress", sliding.von_mises.value / p.p_max, "", "{:.2f}");
-    item.value(key + "-depth", sliding.von_mises.depth / units::millimetre, "mm", "{:.1f}");
-    Eigen::Index second = 0;
-    sliding.von_mises_at.tail(sliding.depths.size() - 6).maxCoeff(&second);
-    item.value(key + "-second", sliding.depths[second + 6] / units::millimetre, "mm", "{:.1f}");
+// The largest von Mises stress at each depth under the first patch of the right wheel, with and
+// without friction.
+struct StressProfile {
+  double pressure;  // the largest, Pa
+  contact::LargestStress sliding, alone;
+  // Of the second maximum, below the first six depths, m.
+  double second() const {
+    Eigen::Index at = 0;
+    sliding.von_mises_at.tail(sliding.depths.size() - 6).maxCoeff(&at);
+    return sliding.depths[at + 6];
   }
+};
+StressProfile stress_profile(const Wheel& wheel) {
+  const WheelInput input = wish_of(wheel, Method::full);
+  PatchResult p = solved(wheel, Method::full).patches.front();
+  StressProfile s{p.p_max, stresses(p, input).rail, {}};
+  p.friction = 0;  // the same pressure alone
+  s.alone = stresses(p, input).rail;
+  return s;
+}
+
+void fig_stress(report::Item& item) {
+  item.added("the benchmark has no stresses");
+  const table::CsvTable published = item.printed("case-a.csv");
+  report::Data& data = item.data({"depth_mm", "sliding", "frictionless"});
+  const StressProfile third = stress_profile(wheel_of(published, "right", 3)),
+                      flange = stress_profile(wheel_of(published, "right", 8));
+  for (const StressProfile* s : {&third, &flange}) {
+    for (Eigen::Index k = 0; k < s->sliding.depths.size(); ++k)
+      data.add(s->sliding.depths[k] / units::millimetre, s->sliding.von_mises_at[k] / s->pressure,
+               s->alone.von_mises_at[k] / s->pressure);
+    data.gap();
+  }
+  item.value("pressure-ratio", flange.pressure / third.pressure, "times", "{:.1f}");
+  report::values(item, "", "{:.2f}", "third-stress", third.sliding.von_mises.value / third.pressure,
+                 "flange-stress", flange.sliding.von_mises.value / flange.pressure);
+  report::values(item, "mm", "{:.1f}", "third-depth",
+                 third.sliding.von_mises.depth / units::millimetre, "flange-second",
+                 flange.second() / units::millimetre);
 }
 
 }  // namespace
 
-const report::Section below{
-    report::figure("fig-stress",
-                   "Sliding raises the largest stress, on the flange up to the surface. Largest "
-                   "von Mises stress in the rail at each depth over the largest pressure, right "
-                   "wheel at 3 mm on the tread and at 8 mm on the flange; dashed the same pressure "
-                   "without friction. By this program; the benchmark has no stresses.",
-                   fig_stress)};
+const report::Section below{report::figure("fig-stress", fig_stress)};

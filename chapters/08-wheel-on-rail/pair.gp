@@ -3,6 +3,7 @@
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 740,720 font "DejaVu Sans,12" enhanced background rgb "white"
+set minussign
 set multiplot
 unset key
 unset grid
@@ -52,12 +53,10 @@ set xtics nomirror 5 format ""
 set ytics nomirror 50
 set yrange [-40:120]
 set ylabel "gap, µm"
-set label 1 "gap" at -9,60 left front
 set label 2 "overlap" at -31.6,-22 left tc rgb "#BE5400" front
 set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead ls guide
 plot ARG4 using "across_mm":(column("gap_um") < 0 ? column("gap_um") : 0) with filledcurves y1=0 fc rgb "#F6D3BF", \
      ARG4 using "across_mm":"gap_um" with lines lt 1 lw 2
-unset label 1
 unset label 2
 unset arrow 1
 

@@ -2,14 +2,14 @@
 
 {{scene}}
 
-The slender patch lies on the slope that leads to the flange, where the wheel curves sharply and the rail
-too. Both patches slide, and mostly across: the wheelset is yawed, so it rolls in another direction than it
-moves.
+The slender patch lies on the slope that leads to the flange, where the wheel curves sharply and the
+rail too. The tractions on both patches point mostly across: the wheelset is yawed, so it rolls in
+another direction than it travels.
 
 {{fold}}
 */
 #include <cmath>
-#include <numeric>
+#include <vector>
 
 #include <railbook/scene/colour_map.hpp>
 #include <railbook/scene/labelled.hpp>
@@ -28,7 +28,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double mm = units::millimetre;
-constexpr double scale_end = 1600 * units::megapascal;  // of the colours, as in scene.gp
+constexpr double scale_end = 1600 * units::megapascal;  // of the colours, as in wheel.gp
 
 // As much as a picture shows, so that the tables of cells stay small.
 double drawn(double length) {
@@ -43,46 +43,89 @@ const Wheel& fifth_wheel(const report::Item& item) {
   return fifth;
 }
 
+// Places of a drawing, across and up or along [mm], or a gap [µm].
+struct Place {
+  double across, other;
+};
+using Places = std::vector<Place>;
+
+double from_rail(double y) {
+  return (y - rail_origin) / mm;
+}
+
+struct Sections {
+  Places wheel, rail, gap;
+};
+Sections sections_of(const PlacedWheel& placed, double z) {
+  Sections s;
+  for (const PlacedWheel::Point& p : find_contact(placed).locus) {
+    s.wheel.push_back({from_rail(p.at.y()), -(p.at.z() + z) / mm});
+    const double left = (p.gap - z) / units::micrometre;
+    if (std::abs(left) < 500) s.gap.push_back({from_rail(p.at.y()), left});
+  }
+  const Profile& head = placed.pair->rail;
+  for (int k = 0; k <= 300; ++k) {
+    const double y = head.from() + (head.to() - head.from()) * k / 300;
+    s.rail.push_back({from_rail(y), -head.at(y).depth / mm});
+  }
+  return s;
+}
+
+// The ellipse as Hertz's strips have it, a closed line.
+Places outline_of(const std::vector<Strip>& strips) {
+  Places line;
+  line.reserve(2 * strips.size() + 1);
+  for (const Strip& s : strips) line.push_back({s.t / mm, (s.x + s.half_length) / mm});
+  for (auto s = strips.rbegin(); s != strips.rend(); ++s)
+    line.push_back({s->t / mm, (s->x - s->half_length) / mm});
+  line.push_back(line.front());
+  return line;
+}
+
+// The cells that bear, in the patch's own plane.
+struct Cell {
+  double across, along, pressure;  // m, Pa
+};
+std::vector<Cell> cells_of(const PatchResult& p) {
+  std::vector<Cell> cells;
+  for (Index k = 0; k < p.pressure.size(); ++k)
+    if (p.pressure[k] > 0)
+      cells.push_back({p.grid.y(k / p.grid.nx), p.grid.x(k % p.grid.nx), p.pressure[k]});
+  return cells;
+}
+
+const char* const within_a_cell = "pressures beside the edge of the contact end within a cell";
+
 // Wheel and rail in section, what lies between them, and the patches below.
 void draw_pair(report::Item& item) {
   item.added("the right wheel of the benchmark at a shift of 5 mm, by this program");
   const Wheel& fifth = fifth_wheel(item);
   const WheelResult& found = solved(fifth, Method::full);
-  const PlacedWheel placed(pair(), pose_of(fifth));
-  const auto across = [](double y) { return (y - rail_origin) / mm; };
+  const Sections s = sections_of(PlacedWheel(pair(), pose_of(fifth)), found.z);
   report::Data& section = item.data({"across_mm", "up_mm"});
   report::Data& rail = item.data("rail", {"across_mm", "up_mm"});
   report::Data& gap = item.data("gap", {"across_mm", "gap_um"});
-  for (const PlacedWheel::Point& p : find_contact(placed).locus) {
-    section.add(across(p.at.y()), -(p.at.z() + found.z) / mm);
-    const double left = (p.gap - found.z) / units::micrometre;
-    if (std::abs(left) < 500) gap.add(across(p.at.y()), left);
-  }
+  for (const Place& p : s.wheel) section.add(p.across, p.other);
+  for (const Place& p : s.rail) rail.add(p.across, p.other);
+  for (const Place& p : s.gap) gap.add(p.across, p.other);
   gap.holds_to("gap_um", 1e-3, 0.02, "the depth is found to a hundred thousandth of the load");
-  const Profile& head = pair().rail;
-  for (int k = 0; k <= 300; ++k) {
-    const double y = head.from() + (head.to() - head.from()) * k / 300;
-    rail.add(across(y), -head.at(y).depth / mm);
-  }
   report::Data& patches = item.data("patches", {"across_mm", "up_mm", "angle_rad", "load_N"});
   report::Data& cells = item.data("cells", {"across_mm", "along_mm", "dy_mm", "dx_mm", "p_MPa"});
   for (const PatchResult& p : found.patches) {
     const Frame& f = p.patch.frame;
-    patches.add(across(f.origin.y()), -f.origin.z() / mm, f.angle, p.load);
-    for (Index k = 0; k < p.pressure.size(); ++k)
-      if (p.pressure[k] > 0)
-        cells.add(drawn(f.origin.y() - rail_origin + p.grid.y(k / p.grid.nx) * std::cos(f.angle)),
-                  drawn(f.origin.x() + p.grid.x(k % p.grid.nx)),
-                  drawn(p.grid.dy * std::cos(f.angle)), drawn(p.grid.dx),
-                  drawn_pressure(p.pressure[k]));
+    patches.add(from_rail(f.origin.y()), -f.origin.z() / mm, f.angle, p.load);
+    for (const Cell& c : cells_of(p))
+      cells.add(drawn(f.origin.y() - rail_origin + c.across * std::cos(f.angle)),
+                drawn(f.origin.x() + c.along), drawn(p.grid.dy * std::cos(f.angle)),
+                drawn(p.grid.dx), drawn_pressure(c.pressure));
   }
   patches.holds_to("load_N", 1e-3, 1, "the depth is found to a hundred thousandth of the load");
-  cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
+  cells.holds_to("p_MPa", 1e-3, 1, within_a_cell);
 }
 
 // Each in its own plane, with the outline that Hertz's ellipse would have.
 void fig_patches(report::Item& item) {
-  item.added("the benchmark is no paper of the book");
+  item.added("the benchmark is of later date than the papers of this book");
   const table::CsvTable table = item.printed("case-a.csv");
   report::Data& cells = item.data({"shift_mm", "across_mm", "along_mm", "p_MPa"});
   report::Data& ellipse = item.data("hertz", {"shift_mm", "across_mm", "along_mm"});
@@ -90,23 +133,18 @@ void fig_patches(report::Item& item) {
   for (const int shift : {0, 2, 4, 6, 8}) {
     const Wheel wheel = wheel_of(table, "right", shift);
     const PatchResult& p = solved(wheel, Method::full).patches.front();
-    for (Index k = 0; k < p.pressure.size(); ++k)
-      if (p.pressure[k] > 0)
-        cells.add(shift, drawn(p.grid.y(k / p.grid.nx)), drawn(p.grid.x(k % p.grid.nx)),
-                  drawn_pressure(p.pressure[k]));
+    for (const Cell& c : cells_of(p))
+      cells.add(shift, drawn(c.across), drawn(c.along), drawn_pressure(c.pressure));
     grids.add(shift, p.grid.dy / mm, p.grid.dx / mm);
-    const auto& strips = solved(wheel, Method::hertz).patches.front().strips.strips;
-    for (const Strip& s : strips) ellipse.add(shift, s.t / mm, (s.x + s.half_length) / mm);
-    for (auto s = strips.rbegin(); s != strips.rend(); ++s)
-      ellipse.add(shift, s->t / mm, (s->x - s->half_length) / mm);
-    ellipse.add(shift, strips.front().t / mm, (strips.front().x + strips.front().half_length) / mm);
+    for (const Place& at : outline_of(solved(wheel, Method::hertz).patches.front().strips.strips))
+      ellipse.add(shift, at.across, at.other);
     ellipse.gap();
   }
   for (const char* place : {"across_mm", "along_mm"})
     cells.holds_to(
         place, 1e-6, 1e-5,
         "the cells follow the depth, which is found to a hundred thousandth of the load");
-  cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
+  cells.holds_to("p_MPa", 1e-3, 1, within_a_cell);
 }
 
 // In the picture: along, to the left, up [mm], from the middle of the first patch.
@@ -201,7 +239,7 @@ void draw_scene(report::Item& item) {
   s.lines.push_back(rolling);
   const scene::Size size{860, 560};
   const auto camera = scene::looking_at(s, {0.35, -0.75, -0.9}, size, true);
-  scene::labelled(item, "scene.gp", s, camera, size,
+  scene::labelled(item, "wheel.gp", s, camera, size,
                   {{on_tread(-0.0340, 0.0030), "to the flange"},
                    {on_tread(-0.0145, -0.005), "rolling"},
                    {on_tread(-0.0182, -0.0055), "1.5 kN"},
@@ -210,23 +248,7 @@ void draw_scene(report::Item& item) {
 
 }  // namespace
 
-const report::Section opening{
-    report::figure(
-        "pair",
-        "A wheel can touch its rail at two places at once. Top: the right wheel on its rail in "
-        "section, shifted by 5 mm towards its flange, with the normal load of each patch. Middle: "
-        "the gap that undeformed wheel and rail would have at that load; where it is negative they "
-        "overlap, and a patch forms. Bottom: the patches from above with their pressures.",
-        draw_pair),
-    report::figure("fig-patches",
-                   "A patch shrinks and stretches as the wheel moves towards its flange. Pressures "
-                   "in the patch of the right wheel at five shifts, each in its own plane and "
-                   "colour scale; dashed the ellipse that Hertz's formulas give. By this program.",
-                   fig_patches)};
+const report::Section opening{report::figure("pair", draw_pair),
+                              report::figure("fig-patches", fig_patches)};
 
-const report::Section drawn{
-    report::figure("scene",
-                   "Both patches slide, and mostly across the track. The wheel's surface from "
-                   "below at a shift of 5 mm, coloured by pressure, with the tractions on it as "
-                   "lines. By this program; the wheel of the first drawing.",
-                   draw_scene)};
+const report::Section drawn{report::figure("scene", draw_scene)};

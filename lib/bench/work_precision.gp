@@ -5,12 +5,14 @@ set output ARG2
 
 # The methods in order of appearance, and whether time was measured at all.
 array method[32]
+array runs[32] # of each, those that did not fail
+do for [i = 1:32] { runs[i] = 0 }
 n = 0
 timed = 0
 failures = 0
 previous = ""
 note(name, seconds, state) = (name ne previous ? (n = n + 1, method[n] = name) : 0, previous = name, \
-  timed = timed + (seconds > 0), failures = failures + (state eq "failed"), 1)
+  runs[n] = runs[n] + (state ne "failed"), timed = timed + (seconds > 0), failures = failures + (state eq "failed"), 1)
 # The frame: ranges of the axes (0: from the data), the reference's uncertainty and 100 times that.
 array range[6]
 do for [i = 1:6] { range[i] = 0 }
@@ -49,7 +51,8 @@ known(m) = strcol("method") eq m && strcol("state") eq "known"
 drawn(m) = strcol("method") eq m && strcol("state") ne "failed"
 vague(m) = strcol("method") eq m && strcol("state") eq "vague"
 failed(m) = strcol("method") eq m && strcol("state") eq "failed"
-plot for [i = 1:n] ARG1 using (drawn(method[i]) ? across("median") : NaN):"error" with linespoints lt i title method[i], \
+plot for [i = 1:n] ARG1 using (drawn(method[i]) ? across("median") : NaN):"error" with linespoints lt i \
+         title method[i] . (runs[i] > 0 ? "" : ": all failed"), \
      for [i = 1:n] ARG1 using (known(method[i]) && timed > 0 ? across("median") : NaN):"error":(across("q1")):(across("q3")) \
          with xerrorbars lt i ps 0 dt solid lw 1.2, \
      for [i = 1:n] ARG1 using (vague(method[i]) ? across("median") : NaN):"error" with points lt i lc rgb "#B0B0B0", \
@@ -58,4 +61,4 @@ plot for [i = 1:n] ARG1 using (drawn(method[i]) ? across("median") : NaN):"error
      ARG3 using (strcol("what") eq "slope" ? column("x1") : NaN):"y1":(column("x2") - column("x1")):(column("y2") - column("y1")) \
          with vectors nohead lc rgb "#606060" lw 1.4, \
      ARG3 using (strcol("what") eq "slope" ? column("x2") : NaN):"y2":(strcol("text")) \
-         with labels left offset 0.6,0 font ",11" textcolor rgb "#606060"
+         with labels left offset 0.6,-0.9 font ",11" textcolor rgb "#606060"

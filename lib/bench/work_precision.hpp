@@ -125,7 +125,8 @@ double observed_slope(const std::vector<report::WorkPrecision>& points, const st
                       const std::string& method);
 
 // The method and setting that takes least time to an error that each later setting of the method
-// keeps, too; empty when none does. The reference's uncertainty is added to each error.
+// keeps, too; empty when none does. The reference's uncertainty is added to each error. Settings of
+// a method are compared by their work, methods by the fastest of their runs.
 struct Cheapest {
   std::string method, setting;
   double seconds = 0;

@@ -28,10 +28,12 @@ struct BoundedCg {
 // solve A p = g on a set of cells, not more tightly than the set deserves; then cells under tension
 // leave it and cells that penetrate join, until neither happens. (Polonsky & Keer 1999 and
 // Vollebregt, doi:10.1007/s10957-013-0499-x, change the set at every step; with the preconditioner
-// that can cycle, and doing it between solves cannot lose conjugacy.) With the preconditioner the
-// iterations hardly depend on the grid: about 15 from a good start.
-[[nodiscard]] BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const Eigen::VectorXd& f,
-                                         double approach, Eigen::VectorXd& p,
-                                         const BoundedCgOptions& options);
+// that can cycle, and doing it between solves cannot lose conjugacy.) All of this takes the
+// approximate A where there is one and the tolerance is 1e-9 or more; what comes out is held
+// against A itself, and solved further with the difference on the right side until A itself is
+// satisfied. With the preconditioner the iterations hardly depend on the grid: to 1e-8 about 15
+// from a good start.
+[[nodiscard]] BoundedCg solve_bounded_cg(Convolution& a, const Eigen::VectorXd& f, double approach,
+                                         Eigen::VectorXd& p, const BoundedCgOptions& options);
 
 }  // namespace railbook::contact

@@ -8,6 +8,7 @@
 #include <railbook/contact/detail/extrapolation.hpp>
 #include <railbook/contact/detail/grid_fit.hpp>
 #include <railbook/contact/detail/missed.hpp>
+#include <railbook/num/fft.hpp>
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
@@ -19,6 +20,7 @@ using Eigen::VectorXd;
 constexpr double phase_x = 0.9, phase_y = 0.4;  // half a cell apart: the irregular errors cancel
 constexpr Index coarsest = 16;
 constexpr std::size_t extrapolated = 3;  // grids, the finest ones
+constexpr double start = 1e-5;           // the tolerance of the grids that only make a start
 
 void check(double approach, double effective_modulus, const CgFftOptions& options) {
   units::require_finite("approach", approach, "m");
@@ -56,7 +58,7 @@ CgFftLevel solve_grid(const Grid& grid, const VectorXd& f, double approach,
                       NormalContact& contact) {
   if (grid.cells() < 1 << 15) options.threads = 1;  // starting a thread takes longer than it saves
   Convolution a(grid, effective_modulus, options.threads);
-  const BoundedCg cg = solve_bounded_cg(a, grid, f, approach, p, options);
+  const BoundedCg cg = solve_bounded_cg(a, f, approach, p, options);
   contact.work += cg.work;
   contact.iterations += cg.iterations;
   if (!cg.converged) {
@@ -307,6 +309,15 @@ void drop_found(const Grid& grid, const Region& region, std::vector<Point>& plac
 
 }  // namespace
 
+double CgFft::transform_pairs() const {
+  if (levels.empty()) return 0;
+  const auto padded = [](Index cells) {
+    return static_cast<double>(num::good_frame_size(static_cast<std::size_t>(2 * cells - 1)));
+  };
+  const Grid& finest = levels.back().grid;
+  return static_cast<double>(contact.work) / (padded(finest.nx) * padded(finest.ny));
+}
+
 CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
                    const CgFftOptions& options) {
   check(approach, effective_modulus, options);
@@ -328,8 +339,10 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
       f = sample(gap, grid);
       p = last.cells() > 0 ? transfer(last, p, grid)
                            : uniform_start(f, approach, effective_modulus);
+      BoundedCgOptions cg = options.cg;
+      if (level + extrapolated < sizes.size()) cg.tolerance = std::max(cg.tolerance, start);
       result.levels.push_back(
-          solve_grid(grid, f, approach, effective_modulus, options.cg, p, result.contact));
+          solve_grid(grid, f, approach, effective_modulus, cg, p, result.contact));
       last = grid;
       const Region& region = result.levels.back().region;
       if (!region.touches_edge() || growths == most_growths) break;

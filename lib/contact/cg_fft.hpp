@@ -42,6 +42,10 @@ struct CgFft {
   NormalContact contact;
   std::vector<CgFftLevel> levels;
   Outline outline;  // on the finest grid
+
+  // contact.work in pairs of Fourier transforms of the finest grid, padded with zeros to twice its
+  // size: what one product with the matrix takes. An empty contact takes none.
+  double transform_pairs() const;
 };
 
 // The contact of two bodies of gap f pressed to an approach delta [m]; E* > 0 [Pa].

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
@@ -26,12 +27,48 @@ Eigen::VectorXd sample(const Gap& gap, const Grid& grid) {
   return f;
 }
 
+namespace {
+
+// The squares of the pressures with a frame of one cell. Beside the contact, where the pressure
+// ends like the root of the distance and its square like the distance itself, the square goes on
+// linearly from the last two cells, to values below zero.
+class SquaredPressure {
+ public:
+  SquaredPressure(const Grid& grid, const Eigen::VectorXd& p)
+      : nx_(grid.nx), ny_(grid.ny), squares_((nx_ + 2) * (ny_ + 2)) {
+    const auto square = [&](Eigen::Index i, Eigen::Index j) {
+      if (i < 0 || j < 0 || i >= nx_ || j >= ny_) return 0.0;
+      return p[j * nx_ + i] * p[j * nx_ + i];
+    };
+    for (Eigen::Index j = -1; j <= ny_; ++j)
+      for (Eigen::Index i = -1; i <= nx_; ++i) {
+        double& here = squares_[(j + 1) * (nx_ + 2) + i + 1] = square(i, j);
+        if (here > 0) continue;
+        double sum = 0;
+        int sides = 0;
+        for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+          const double beside = square(i + di, j + dj), next = square(i + 2 * di, j + 2 * dj);
+          if (!(beside > 0) || !(next > 0)) continue;
+          sum += std::min(2 * beside - next, 0.0);
+          ++sides;
+        }
+        if (sides > 0) here = sum / sides;
+      }
+  }
+  double operator()(Eigen::Index i, Eigen::Index j) const {
+    if (i < -1 || j < -1 || i > nx_ || j > ny_) return 0;
+    return squares_[(j + 1) * (nx_ + 2) + i + 1];
+  }
+
+ private:
+  Eigen::Index nx_, ny_;
+  Eigen::VectorXd squares_;
+};
+
+}  // namespace
+
 Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid& to) {
-  auto square = [&](Eigen::Index i, Eigen::Index j) {
-    if (i < 0 || j < 0 || i >= from.nx || j >= from.ny) return 0.0;
-    const double value = p[j * from.nx + i];
-    return value * value;
-  };
+  const SquaredPressure square(from, p);
   Eigen::VectorXd result(to.cells());
   for (Eigen::Index j = 0; j < to.ny; ++j) {
     const double v = (to.y(j) - from.y0) / from.dy - 0.5;
@@ -41,9 +78,9 @@ Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid&
       const double u = (to.x(i) - from.x0) / from.dx - 0.5;
       const auto a = static_cast<Eigen::Index>(std::floor(u));
       const double s = u - std::floor(u);
-      result[j * to.nx + i] =
-          std::sqrt((1 - t) * ((1 - s) * square(a, b) + s * square(a + 1, b)) +
-                    t * ((1 - s) * square(a, b + 1) + s * square(a + 1, b + 1)));
+      const double value = (1 - t) * ((1 - s) * square(a, b) + s * square(a + 1, b)) +
+                           t * ((1 - s) * square(a, b + 1) + s * square(a + 1, b + 1));
+      result[j * to.nx + i] = std::sqrt(std::max(value, 0.0));
     }
   }
   return result;

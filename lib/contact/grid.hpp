@@ -29,8 +29,9 @@ struct Grid {
 Eigen::VectorXd sample(const Gap& gap, const Grid& grid);
 
 // Pressures carried from one grid to another: p^2 is interpolated bilinearly between centres (p^2
-// is smooth across the edge of a contact, p is not) and is zero outside the old grid; p^2 to 1e-14
-// of the largest near.
+// goes like the distance from the edge of a contact, p like its root). Beside the contact p^2 goes
+// on along the line through the last two cells, to the place where it is zero; farther away it is
+// zero. p^2 to 1e-14 of the largest near.
 Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid& to);
 
 // A box that holds {f < approach}, and hence the contact region: displacements of pressures >= 0

@@ -153,7 +153,8 @@ struct Subsurface::Parts {
   }
 
   // The transform of one stress under a unit of one traction is left in `fft`.
-  void transform_kernel(const std::vector<Stress>& kernel, int component, std::size_t traction) {
+  void transform_kernel(const std::vector<Stress>& kernel, int component,
+                        std::size_t traction) const {
     const auto c = whole(component);
     const double scale = 1 / (2 * units::pi * static_cast<double>(fft.rows() * fft.columns()));
     const double x_sign = odd_x[traction][c] ? -1 : 1, y_sign = odd_y[traction][c] ? -1 : 1;
@@ -170,6 +171,10 @@ struct Subsurface::Parts {
       }
     fft.forward();
   }
+
+  // Of the tractions together, or of pressures and pulls apart.
+  template <std::size_t count>
+  std::array<Stresses, count> stresses(double depth) const;
 };
 
 Subsurface::Subsurface(const Grid& grid, double poisson, const VectorXd& p, const VectorXd& qx,
@@ -186,32 +191,43 @@ Subsurface::Subsurface(const Grid& grid, double poisson, const VectorXd& p, cons
 Subsurface::~Subsurface() = default;
 Subsurface::Subsurface(Subsurface&&) noexcept = default;
 
-Stresses Subsurface::at(double depth) const {
+template <std::size_t count>
+std::array<Stresses, count> Subsurface::Parts::stresses(double depth) const {
   units::require_between("depth", depth, 0, 1e6, "m");
-  Parts& s = *parts_;
-  const Grid& grid = s.grid;
-  const std::vector<Derivatives> cell = s.of_a_cell(depth);
-  std::array<Parts::Spectrum, 6> sums;
-  for (auto& sum : sums) sum.assign(s.fft.spectrum().size(), 0.0);
+  const std::vector<Derivatives> cell = of_a_cell(depth);
+  std::array<std::array<Spectrum, 6>, count> sums;
+  for (auto& of_part : sums)
+    for (auto& sum : of_part) sum.assign(fft.spectrum().size(), 0.0);
   std::vector<Stress> kernel(cell.size());
   for (std::size_t t = 0; t < 3; ++t) {
-    if (s.tractions[t].empty()) continue;
+    if (tractions[t].empty()) continue;
     std::ranges::transform(cell, kernel.begin(),
-                           [&](const Derivatives& d) { return of_traction[t](d, s.poisson); });
+                           [&](const Derivatives& d) { return of_traction[t](d, poisson); });
     for (int c = 0; c < 6; ++c) {
-      s.transform_kernel(kernel, c, t);
-      for (std::size_t k = 0; k < sums[whole(c)].size(); ++k)
-        sums[whole(c)][k] += s.fft.spectrum()[k] * s.tractions[t][k];
+      transform_kernel(kernel, c, t);
+      Spectrum& sum = sums[t == 0 ? 0 : count - 1][whole(c)];
+      const auto spectrum = fft.spectrum();
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += spectrum[k] * tractions[t][k];
     }
   }
-  Stresses out(grid.cells(), 6);
-  for (int c = 0; c < 6; ++c) {
-    std::ranges::copy(sums[whole(c)], s.fft.spectrum().begin());
-    s.fft.inverse();
-    for (Index j = 0; j < grid.ny; ++j)
-      std::copy_n(s.fft.row(whole(j)), grid.nx, out.col(c).data() + j * grid.nx);
+  std::array<Stresses, count> out;
+  for (std::size_t part = 0; part < count; ++part) {
+    out[part].resize(grid.cells(), 6);
+    for (int c = 0; c < 6; ++c) {
+      std::ranges::copy(sums[part][whole(c)], fft.spectrum().begin());
+      fft.inverse();
+      for (Index j = 0; j < grid.ny; ++j)
+        std::copy_n(fft.row(whole(j)), grid.nx, out[part].col(c).data() + j * grid.nx);
+    }
   }
   return out;
+}
+
+Stresses Subsurface::at(double depth) const {
+  return parts_->stresses<1>(depth)[0];
+}
+std::array<Stresses, 2> Subsurface::parts_at(double depth) const {
+  return parts_->stresses<2>(depth);
 }
 
 namespace {
@@ -243,41 +259,66 @@ void refine(const VectorXd& depths, const VectorXd& at, LargestStress::Place& pl
   place.depth *= std::pow(depths[k + 1] / depths[k], step);
 }
 
+// Of one body or more: `at` gives the stresses of each at a depth.
+template <std::size_t bodies, class At>
+std::array<LargestStress, bodies> searched(const Grid& grid, const VectorXd& p, const At& at) {
+  if (!(p.array() >= 0).all()) throw InputError{"pressures must not be negative"};
+  std::array<LargestStress, bodies> all;
+  for (LargestStress& out : all) out.below = VectorXd::Zero(grid.cells());
+  if (!(p.maxCoeff() > 0)) return all;
+  constexpr int below = 17;
+  VectorXd depths = VectorXd::Zero(below + 1);
+  const double deepest = 2 * narrower_semi_axis(grid, p);
+  for (int k = 1; k <= below; ++k) depths[k] = deepest * std::pow(1.2, k - below);
+  struct Most {
+    double mises = 0, shear = 0;
+    Index mises_cell = 0, shear_cell = 0;
+  };
+  std::array<Most, bodies> most;
+  for (LargestStress& out : all)
+    out.depths = depths, out.von_mises_at = out.shear_at = VectorXd::Zero(below + 1);
+  for (Index k = 0; k <= below; ++k) {
+    const std::array<Stresses, bodies> of_bodies = at(depths[k]);
+    for (std::size_t body = 0; body < bodies; ++body)
+      for (Index c = 0; c < grid.cells(); ++c) {
+        LargestStress& out = all[body];
+        Most& m = most[body];
+        const Stress s = of_bodies[body].row(c);
+        const double mises = von_mises(s), shear = largest_shear(s);
+        out.below[c] = std::max(out.below[c], mises);
+        out.von_mises_at[k] = std::max(out.von_mises_at[k], mises);
+        out.shear_at[k] = std::max(out.shear_at[k], shear);
+        if (mises > m.mises) m.mises = mises, m.mises_cell = c;
+        if (shear > m.shear) m.shear = shear, m.shear_cell = c;
+      }
+  }
+  const auto place = [&](LargestStress::Place& to, Index cell) {
+    to.x = grid.x(cell % grid.nx), to.y = grid.y(cell / grid.nx);
+  };
+  for (std::size_t body = 0; body < bodies; ++body) {
+    LargestStress& out = all[body];
+    refine(depths, out.von_mises_at, out.von_mises);
+    refine(depths, out.shear_at, out.shear);
+    place(out.von_mises, most[body].mises_cell), place(out.shear, most[body].shear_cell);
+  }
+  return all;
+}
+
 }  // namespace
 
 LargestStress largest_stress(const Grid& grid, double poisson, const VectorXd& p,
                              const VectorXd& qx, const VectorXd& qy) {
   const Subsurface body(grid, poisson, p, qx, qy);
-  if (!(p.array() >= 0).all()) throw InputError{"pressures must not be negative"};
-  LargestStress out;
-  out.below = VectorXd::Zero(grid.cells());
-  if (!(p.maxCoeff() > 0)) return out;
-  constexpr int below = 17;
-  out.depths = VectorXd::Zero(below + 1);
-  const double deepest = 2 * narrower_semi_axis(grid, p);
-  for (int k = 1; k <= below; ++k) out.depths[k] = deepest * std::pow(1.2, k - below);
-  out.von_mises_at = out.shear_at = VectorXd::Zero(below + 1);
-  Index von_mises_cell = 0, shear_cell = 0;
-  double most_shear = 0, most_von_mises = 0;
-  for (Index k = 0; k <= below; ++k) {
-    const Stresses all = body.at(out.depths[k]);
-    for (Index c = 0; c < grid.cells(); ++c) {
-      const Stress s = all.row(c);
-      const double mises = von_mises(s), shear = largest_shear(s);
-      out.below[c] = std::max(out.below[c], mises);
-      out.von_mises_at[k] = std::max(out.von_mises_at[k], mises);
-      out.shear_at[k] = std::max(out.shear_at[k], shear);
-      if (mises > most_von_mises) most_von_mises = mises, von_mises_cell = c;
-      if (shear > most_shear) most_shear = shear, shear_cell = c;
-    }
-  }
-  refine(out.depths, out.von_mises_at, out.von_mises);
-  refine(out.depths, out.shear_at, out.shear);
-  const auto place = [&](LargestStress::Place& at, Index cell) {
-    at.x = grid.x(cell % grid.nx), at.y = grid.y(cell / grid.nx);
-  };
-  place(out.von_mises, von_mises_cell), place(out.shear, shear_cell);
-  return out;
+  return searched<1>(grid, p, [&](double depth) { return std::array{body.at(depth)}; })[0];
+}
+
+std::array<LargestStress, 2> largest_stresses(const Grid& grid, double poisson, const VectorXd& p,
+                                              const VectorXd& qx, const VectorXd& qy) {
+  const Subsurface body(grid, poisson, p, qx, qy);
+  return searched<2>(grid, p, [&](double depth) {
+    const std::array<Stresses, 2> parts = body.parts_at(depth);
+    return std::array<Stresses, 2>{parts[0] + parts[1], parts[0] - parts[1]};
+  });
 }
 
 }  // namespace railbook::contact

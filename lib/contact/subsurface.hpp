@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 
 #include <railbook/contact/grid.hpp>
@@ -37,6 +38,8 @@ class Subsurface {
 
   // Below the middles of the cells at a depth >= 0 [m].
   Stresses at(double depth) const;
+  // Those of p alone, and of qx and qy alone.
+  std::array<Stresses, 2> parts_at(double depth) const;
 
  private:
   struct Parts;
@@ -63,5 +66,10 @@ struct LargestStress {
 // 0.
 LargestStress largest_stress(const Grid& grid, double poisson, const Eigen::VectorXd& p,
                              const Eigen::VectorXd& qx, const Eigen::VectorXd& qy);
+
+// The same of both bodies of a contact, of one Poisson's ratio: the second is pulled the other way.
+std::array<LargestStress, 2> largest_stresses(const Grid& grid, double poisson,
+                                              const Eigen::VectorXd& p, const Eigen::VectorXd& qx,
+                                              const Eigen::VectorXd& qy);
 
 }  // namespace railbook::contact

@@ -125,11 +125,13 @@ void FilterStream::append(double value) {
 // two reaches.
 void FilterStream::transform(std::size_t outputs) {
   std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
-  const auto z = fft_.values();
+  auto z = fft_.values();
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = {block_[i], block_[i + outputs_]};
   fft_.forward();
+  z = fft_.values();
   for (std::size_t k = 0; k < z.size(); ++k) z[k] *= gain_[k];
   fft_.inverse();
+  z = fft_.values();
   for (std::size_t i = 0; i < outputs_; ++i) {
     block_[i] = z[reach_ + i].real();
     block_[i + outputs_] = z[reach_ + i].imag();

@@ -20,7 +20,12 @@ struct Mode {
 
 // For small T the area cancels, as the output does that is divided by it.
 Mode mode_at(double s, double p, double T) {
-  const double split = p - s * s, w = std::sqrt(std::abs(split));
+  const double split = p - s * s;
+  if (split == 0) {  // the double pole
+    const double e = std::exp(-s * T);
+    return {e * T, 1 - e * (1 + s * T)};
+  }
+  const double w = std::sqrt(std::abs(split));
   if (split < 0 && w * T > 1) {
     const double slow = std::exp(-(s - w) * T), fast = std::exp(-(s + w) * T);
     const double q = (slow - fast) / (2 * w);
@@ -155,7 +160,16 @@ SecondOrderHybrid::SecondOrderHybrid(const SecondOrderLowPass& filter,
     throw InputError{"damping is not 1: an approximate decay is for the double pole only"};
 }
 
-TwoIntervals SecondOrderHybrid::push(double y, double T) {
+SecondOrderHybrid::Weights SecondOrderHybrid::weights(double before, double T) const {
+  if (options_.local) before = T;
+  const Annihilator g = options_.how != Decay::exact
+                            ? approximate(filter_.omega, before, T, options_.how)
+                        : before == T ? constant_speed(filter_, T)
+                                      : annihilator(filter_, before, T);
+  return {before, T, g.alpha, g.beta, g.area};
+}
+
+TwoIntervals SecondOrderHybrid::push(double y, double T, const Weights* ready) {
   if (!possible_interval(T)) {
     if (T == 0 && known_ > 0) return {units::nan, units::nan, units::nan};
     known_ = 0;
@@ -167,10 +181,8 @@ TwoIntervals SecondOrderHybrid::push(double y, double T) {
   }
   if (known_ == 2) {
     const double before = options_.local ? T : T_;
-    const Annihilator g = options_.how != Decay::exact
-                              ? approximate(filter_.omega, before, T, options_.how)
-                          : before == T ? constant_speed(filter_, T)
-                                        : annihilator(filter_, before, T);
+    const bool fits = ready != nullptr && ready->before == before && ready->after == T;
+    const Weights g = fits ? *ready : weights(before, T);
     // A constant passes unchanged whatever the rounding: written in differences.
     if (g.area != 0 && std::isfinite(g.area))
       out.mean = y + (g.alpha * (y - last_) - g.beta * (y - before_)) / g.area;

@@ -85,7 +85,15 @@ class SecondOrderHybrid {
   explicit SecondOrderHybrid(const SecondOrderLowPass& filter,
                              const SecondOrderOptions& options = {});
 
-  TwoIntervals push(double y, double T);
+  // What filters of the same poles and options share at two intervals.
+  struct Weights {
+    double before = -1, after = -1;  // s
+    double alpha = 0, beta = 0, area = 1;
+  };
+  Weights weights(double before, double after) const;
+
+  // `ready` is taken where it is of the two intervals, or else computed; the result is the same.
+  TwoIntervals push(double y, double T, const Weights* ready = nullptr);
   void restart() { known_ = 0; }
 
  private:

@@ -17,102 +17,107 @@ namespace {
 using units::nan;
 constexpr double slowest = 4.5;  // m/s: below, a row is too long for the filters' times
 
-// A sampled rate through the analog filter F; NaN until that has settled after a start or a gap.
-struct Followed {
-  Column integral, derivative, rate,
-      held_back;  // of the filtered rate; what F holds back of the integral
-};
-Followed follow(const Column& rate, const Run& run, double corner) {
-  const std::size_t n = rate.size();
-  Followed f{Column(n, nan), Column(n, nan), Column(n, nan), Column(n, nan)};
+// Of a rate that is sampled and goes through the analog filter F: value(k, filter, integral) of
+// each row; NaN until F has settled after a start or a gap.
+template <class Rate, class Value>
+Column follow(const Run& run, double corner, Rate rate, Value value) {
+  Column out(run.size(), nan);
   Matched filter{corner};
   double since = -1, integral = 0;
-  for (std::size_t k = 1; k < n; ++k) {
-    const double T = run.T[k];
-    if (std::isnan(rate[k])) {
+  for (std::size_t k = 1; k < run.size(); ++k) {
+    const double T = run.T[k], now = rate(k);
+    if (std::isnan(now)) {
       since = -1;
       continue;
     }
-    if (since < 0) filter.settle(rate[k]);
+    if (since < 0) filter.settle(now);
     since = since < 0 ? 0 : since + T;
-    filter.push(rate[k], T);
-    integral += T * rate[k];
-    if (since * corner < 2) continue;
-    f.held_back[k] = filter.held_back();
-    f.integral[k] = integral - filter.held_back();
-    f.rate[k] = filter.rate();
-    f.derivative[k] = filter.derivative();
+    filter.push(now, T, run.decay[k]);
+    integral += T * now;
+    if (since * corner >= 2) out[k] = value(k, filter, integral);
   }
-  return f;
-}
-
-Followed follow_changes(const Run& run, Channel c, double corner) {
-  Column rate(run.size(), nan);
-  for (std::size_t k = 1; k < run.size(); ++k) rate[k] = (run[c][k] - run[c][k - 1]) / run.T[k];
-  return follow(rate, run, corner);
+  return out;
 }
 
 }  // namespace
 
-std::vector<Balance> balances(const Run& run, const Processing& p) {
+std::vector<Balance> balances(const Run& run, const Processing& p, bool terms) {
   using enum Channel;
   const Layout& l = p.layout;
-  const double corner = l.second_corner, over = l.inclinometer_height - l.beam_height;
-  const Followed turn = follow(rates(run, yaw_rate, p), run, corner),
-                 roll = follow(rates(run, roll_rate, p), run, corner);
-  const auto term = [&](Channel c, auto value) {
-    Term t{c, Column(run.size(), nan)};
-    for (std::size_t k = 1; k < run.size(); ++k)
-      if (run.T[k] * slowest <= l.sample) t.values[k] = value(k);
-    return t;
+  const std::size_t n = run.size();
+  const auto followed = [&](auto rate, auto value) {
+    return follow(run, l.second_corner, rate, value);
   };
-  const auto itself = [&](Channel c, double sign) {
-    return term(c, [&, sign](std::size_t k) { return sign * run[c][k]; });
+  const auto change_of = [&](Channel c) {
+    return [&run, x = run[c]](std::size_t k) { return (x[k] - x[k - 1]) / run.T[k]; };
   };
-  const auto rolling = [&](double arm) {
-    return term(roll_rate, [&, arm](std::size_t k) { return arm * roll.derivative[k]; });
-  };
+  const auto derivative = [](std::size_t, const Matched& f, double) { return f.derivative(); };
+  const auto angle = [](std::size_t, const Matched& f, double sum) { return sum - f.held_back(); };
+  const auto turn = [&](std::size_t k) { return run.yaw[k]; };
+  const auto roll = [&](std::size_t k) { return run.roll[k]; };
+  const Column turning = followed(turn, derivative), rolling = followed(roll, derivative),
+               rolled = followed(roll, angle),
+               front_a = followed(change_of(sway_front_a), derivative),
+               front_b = followed(change_of(sway_front_b), derivative),
+               rear = followed(change_of(sway_rear), derivative);
   const auto height = [&](Channel c, double sign) {
-    const Followed f = follow_changes(run, c, corner);
-    return term(c, [&, sign](std::size_t k) {
-      const double filtered = run[c][k] - f.held_back[k];
-      return sign * (l.beam_height * f.derivative[k] - g * filtered) / l.transducers;
+    return followed(change_of(c), [&, x = run[c]](std::size_t k, const Matched& f, double) {
+      return sign * (l.beam_height * f.derivative() - g * (x[k] - f.held_back())) / l.transducers;
     });
   };
-  const auto sway = [&](Channel c) {
-    const Followed f = follow_changes(run, c, corner);
-    return term(c, [&](std::size_t k) { return -0.5 * f.derivative[k]; });
+  const Column left = height(height_left, 1), right = height(height_right, -1);
+  std::vector<Balance> all(3);
+  Balance &lateral_balance = all[0], &vertical = all[1], &yaw = all[2];
+  const auto add = [&](Balance& b, Channel c, auto value) {
+    Column x(terms ? n : 0, nan);
+    b.sum.resize(n);
+    std::size_t known = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double v = k > 0 && run.T[k] * slowest <= l.sample ? value(k) : nan;
+      known += std::isnan(v) ? 0 : 1;
+      b.sum[k] += v;
+      if (terms) x[k] = v;
+    }
+    b.known = b.known && 4 * known >= n;
+    b.channels.push_back(c);
+    if (terms) b.terms.push_back(std::move(x));
   };
+  const auto times = [](double factor, View x) {
+    return [=](std::size_t k) { return factor * x[k]; };
+  };
+  add(lateral_balance, inclinometer, times(1, run[inclinometer]));
+  add(lateral_balance, lateral, times(-1, run[lateral]));
+  add(lateral_balance, roll_rate, times(l.inclinometer_height - l.beam_height, rolling));
+  add(lateral_balance, height_left, times(1, left));
+  add(lateral_balance, height_right, times(1, right));
+  add(lateral_balance, sway_front_a, times(-0.5, front_a));
+  add(lateral_balance, sway_front_b, times(-0.5, front_b));
+  add(vertical, vertical_left, times(1, run[vertical_left]));
+  add(vertical, vertical_right, times(-1, run[vertical_right]));
+  add(vertical, roll_rate, times(-l.transducers, rolling));
   // Change since (backing: until) the other truck was here; only at a steady speed.
   const long apart = run.direction * std::lround(l.truck_spacing / l.sample);
   const auto there = [&](std::size_t k) {
     return static_cast<std::size_t>(static_cast<long>(k) - apart);
   };
   const auto steady = [&](std::size_t k) {
-    return there(k) < run.size() && there(k) > 0 &&
-           std::abs(run.T[k] - run.T[there(k)]) < 0.05 * run.T[k];
+    return there(k) < n && there(k) > 0 && std::abs(run.T[k] - run.T[there(k)]) < 0.05 * run.T[k];
   };
-  const auto change = [&](Channel c, auto value) {
-    return term(c,
-                [&, value](std::size_t k) { return steady(k) ? value(k) - value(there(k)) : nan; });
+  const auto change = [&](auto value) {
+    return [&, value](std::size_t k) { return steady(k) ? value(k) - value(there(k)) : nan; };
   };
-  const Followed front_a = follow_changes(run, sway_front_a, corner),
-                 front_b = follow_changes(run, sway_front_b, corner),
-                 rear = follow_changes(run, sway_rear, corner);
-  const auto ends = [&](Channel c, const Followed& f) {
-    return term(c, [&](std::size_t k) { return steady(k) ? -0.5 * f.derivative[there(k)] : nan; });
+  const auto before = [&](double factor, const Column& x) {
+    return [&, factor](std::size_t k) { return steady(k) ? factor * x[there(k)] : nan; };
   };
-  return {{itself(inclinometer, 1), itself(lateral, -1), rolling(over), height(height_left, 1),
-           height(height_right, -1), sway(sway_front_a), sway(sway_front_b)},
-          {itself(vertical_left, 1), itself(vertical_right, -1), rolling(-l.transducers)},
-          {term(yaw_rate, [&](std::size_t k) { return l.truck_spacing * turn.derivative[k]; }),
-           change(inclinometer, [&](std::size_t k) { return -run[inclinometer][k]; }),
-           change(roll_rate,
-                  [&](std::size_t k) {
-                    return g * roll.integral[k] - l.inclinometer_height * roll.derivative[k];
-                  }),
-           ends(sway_front_a, front_a), ends(sway_front_b, front_b),
-           term(sway_rear, [&](std::size_t k) { return rear.derivative[k]; })}};
+  add(yaw, yaw_rate, times(l.truck_spacing, turning));
+  add(yaw, inclinometer, change(times(-1, run[inclinometer])));
+  add(yaw, roll_rate,
+      change([&](std::size_t k) { return g * rolled[k] - l.inclinometer_height * rolling[k]; }));
+  add(yaw, sway_front_a, before(-0.5, front_a));
+  add(yaw, sway_front_b, before(-0.5, front_b));
+  add(yaw, sway_rear, times(1, rear));
+  std::erase_if(all, [](const Balance& b) { return !b.known; });
+  return all;
 }
 
 }  // namespace railbook::geometry_car

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <railbook/filters/hybrid_filter.hpp>
 #include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/num/median.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -43,23 +45,26 @@ struct StillStretch {
 // but one in a hundred of its changes take.
 std::vector<StillStretch> still(const Column& x) {
   std::vector<StillStretch> all;
-  for (auto from = x.begin(); from != x.end();) {
-    const auto end = std::find_if(from, x.end(), [from](double v) { return v != *from; });
-    if (end != from) all.push_back({std::size_t(from - x.begin()), std::size_t(end - from)});
-    from = std::isnan(*from) ? from + 1 : end;
+  std::array<std::size_t, most_still / 8 + 1> of_length{};  // stretches; the last: and longer ones
+  std::size_t count = 0;
+  for (std::size_t from = 0, end = 0; from < x.size(); from = end) {
+    ++end;
+    if (std::isnan(x[from])) continue;
+    while (end < x.size() && x[end] == x[from]) ++end;
+    ++count;
+    ++of_length[std::min(end - from, of_length.size() - 1)];
+    if (end - from >= least_still) all.push_back({from, end - from});
   }
   if (all.empty()) return all;
-  std::vector<std::size_t> lengths;
-  for (const StillStretch& s : all) lengths.push_back(s.rows);
-  const auto most = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 99 / 100);
-  std::nth_element(lengths.begin(), most, lengths.end());
+  std::size_t most = 0, below = count * 99 / 100;
+  while (below >= of_length[most]) below -= of_length[most++];
   const std::size_t longest =
-      lengths.size() < 100 ? least_still : std::clamp(8 * *most, least_still, most_still);
+      count < 100 ? least_still : std::clamp(8 * most, least_still, most_still);
   std::erase_if(all, [&](const StillStretch& s) { return s.rows < longest; });
   return all;
 }
 
-double coarseness(const Column& x) {
+double coarseness(View x) {
   double least = 0;
   for (std::size_t k = 1; k < x.size(); ++k) {
     const double d = std::abs(x[k] - x[k - 1]);
@@ -69,7 +74,7 @@ double coarseness(const Column& x) {
 }
 
 // Second or fourth differences, centred; NaN at the ends.
-Column differences(const Column& x, bool fourth) {
+Column differences(View x, bool fourth) {
   Column e(x.size(), nan);
   const std::size_t reach = fourth ? 2 : 1;
   for (std::size_t k = reach; k + reach < x.size(); ++k)
@@ -78,19 +83,26 @@ Column differences(const Column& x, bool fourth) {
   return e;
 }
 
+bool all_within(View x, double limit) {
+  return std::all_of(x.begin(), x.end(),
+                     [=](double v) { return within(v, limit) || std::isnan(v); });
+}
+
 // Places where a difference is out of all proportion to those about it. The first rows of a run are
 // what they are; a body's own motion between rows grows with the square of the time, until at a
 // walking pace it comes to rest there.
-std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, double floor) {
+std::vector<bool> outliers(const Column& e, View T, double T_brisk, double floor) {
   constexpr std::size_t block = 128;
   std::vector<bool> out(e.size(), false);
   Column near;
   for (std::size_t from = 0; from < e.size(); from += block) {
+    // No limit is below the floor, and the median takes time.
+    if (all_within(View(e).subspan(from, std::min(block, e.size() - from)), floor)) continue;
     near.clear();
     for (std::size_t k = from - std::min(from, block); k < std::min(e.size(), from + 2 * block);
          ++k)
       if (!std::isnan(e[k])) near.push_back(std::abs(e[k]));
-    const double limit = std::max(floor, 12 * 1.4826 * median_of(near));
+    const double limit = std::max(floor, 12 * 1.4826 * num::upper_median(near));
     for (std::size_t k = std::max<std::size_t>(from, 4); k < std::min(e.size(), from + block);
          ++k) {
       double longest = 0;
@@ -138,7 +150,7 @@ std::vector<bool> near_kinks(const Run& run) {
 
 // By how much the level differs behind [first, last], a parabola through both sides taken off: the
 // part of a unit step that no parabola explains, and as much of it as is in x.
-double level_change(const Column& x, std::size_t first, std::size_t last, std::size_t side) {
+double level_change(View x, std::size_t first, std::size_t last, std::size_t side) {
   std::vector<Column> basis(5);  // 1, t, t^2, the step, x
   for (std::size_t k = first - std::min(first, side); k < std::min(x.size(), last + side + 1);
        ++k) {
@@ -174,16 +186,22 @@ struct Zero {
 // `zero` is that of the run so far; `then` becomes that at the row `at` of the record, where the
 // run holds it.
 void mask_jumps(const Run& run, const ChannelInfo& c, const Processing& p,
-                const std::vector<bool>& joints, Record& record, Health& health, Jumps& found,
-                Zero zero, std::size_t at, Zero& then) {
+                std::vector<bool>& joints, Record& record, Health& health, Jumps& found, Zero zero,
+                std::size_t at, Zero& then) {
   const auto channel = static_cast<std::size_t>(c.channel);
   const Kind kind = kind_of(c);
-  const Column& x = run.values[channel];
-  const double grain = coarseness(x);
+  View x = run.values[channel];
+  const double least = (kind.filtered ? 3 : 1) * kind.jump;
   const Column e = differences(x, kind.filtered);
-  const auto out =
-      outliers(e, run.T, p.layout.sample / brisk,
-               std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
+  Column unmasked;
+  std::vector<bool> out;
+  if (!all_within(e, least)) {
+    unmasked.assign(x.begin(), x.end());
+    x = unmasked;
+    out = outliers(e, run.T, p.layout.sample / brisk,
+                   std::max(least, (kind.filtered ? 9 : 3) * coarseness(x)));
+    if (kind.filtered && joints.empty()) joints = near_kinks(run);
+  }
   double &moved = zero.moved, &largest = zero.largest;  // since the run began
   const bool holds = run.rows.front() <= at && at <= run.rows.back();
   if (holds) then = zero;
@@ -194,7 +212,7 @@ void mask_jumps(const Run& run, const ChannelInfo& c, const Processing& p,
       if (std::abs(moved) > std::max(kind.zero, 0.15 * largest))
         health.zero_doubted[channel][run.rows[known]] = true;
   };
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (std::size_t k = 0; k < out.size(); ++k) {
     if (!out[k]) continue;
     std::size_t last = k;
     double peak = 0;
@@ -272,23 +290,34 @@ void examine_still(const ChannelInfo& c, const Processing& p, Record& record, He
                                   : "kept, and not trusted (--screen still masks them)")});
 }
 
-// A converter at both of its ends: its largest and its smallest value each come ten times and more,
-// and ten times as often as the value next to them. An acceleration that has been filtered twice
-// has no such crests.
+// A value that comes ten times and more, and ten times as often as the one next to it: the lowest
+// of a column, or of its negative the highest; nothing where there is no such pile.
+std::optional<double> pile(const Column& x, double sign) {
+  double lowest = units::infinity, next = units::infinity;
+  std::size_t at_lowest = 0, at_next = 0;
+  for (const double value : x) {
+    const double v = sign * value;
+    if (std::isnan(v) || v > next) continue;
+    if (v < lowest) {
+      next = std::exchange(lowest, v);
+      at_next = std::exchange(at_lowest, 0);
+    } else if (v > lowest && v < next) {
+      next = v;
+      at_next = 0;
+    }
+    ++(v == lowest ? at_lowest : at_next);
+  }
+  const bool piled = at_next > 0 && at_lowest >= 10 && at_lowest >= 10 * at_next;
+  return piled ? std::optional{sign * lowest} : std::nullopt;
+}
+
+// A converter at both of its ends. An acceleration that has been filtered twice has no such crests.
 void examine_clipping(const ChannelInfo& c, Record& record, Health& health) {
   if (c.filter != 2) return;
   Column& x = record[c.channel];
-  Column sorted = x;
-  std::erase_if(sorted, [](double v) { return std::isnan(v); });
-  std::sort(sorted.begin(), sorted.end());
-  const auto piles = [](auto begin, auto end) {
-    const auto first = std::find_if(begin, end, [&](double v) { return v != *begin; });
-    if (first == end) return false;
-    const auto second = std::find_if(first, end, [&](double v) { return v != *first; });
-    return first - begin >= 10 && first - begin >= 10 * (second - first);
-  };
-  if (!piles(sorted.begin(), sorted.end()) || !piles(sorted.rbegin(), sorted.rend())) return;
-  const double low = sorted.front(), high = sorted.back();
+  const auto lowest = pile(x, 1), highest = pile(x, -1);
+  if (!lowest || !highest) return;
+  const double low = *lowest, high = *highest;
   std::size_t first = x.size(), rows = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (x[i] != low && x[i] != high) continue;
@@ -412,18 +441,17 @@ void examine_zeros(const Record& record, const Processing& p, Health& health) {
 
 }  // namespace
 
-void examine_channels(Record& record, const Processing& p, Health& health, ChannelOffsets& carried,
-                      std::size_t at) {
+void examine_channels(Record& record, std::vector<Run>& runs, const Processing& p, Health& health,
+                      ChannelOffsets& carried, std::size_t at) {
   for (const ChannelInfo& c : channel_list()) {
     examine_still(c, p, record, health);
     examine_clipping(c, record, health);
   }
   std::array<Jumps, channels> found;
-  std::size_t rejected = 0;
   const ChannelOffsets before = std::exchange(carried, {.leapt = carried.leapt});
-  for (Run& run : runs_of(record, p, rejected)) {
+  for (Run& run : runs) {
     load(run, record);
-    const std::vector<bool> joints = near_kinks(run);
+    std::vector<bool> joints;  // made where they are asked for
     for (std::size_t i = 0; i < channels; ++i) {
       Zero then{carried.moved[i], carried.largest[i]};
       mask_jumps(run, channel_list()[i], p, joints, record, health, found[i],

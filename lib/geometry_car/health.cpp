@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/num/median.hpp>
 #include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double hardest = 6;  // m/s^2: no train brakes or gathers speed so
-constexpr std::size_t about = 9;
+constexpr double hardest = 6;     // m/s^2: no train brakes or gathers speed so
+constexpr std::size_t about = 9;  // rows whose median is a speed
 
 // Which channels a parameter is made of; `mean`: those whose zero is in it.
 std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p) {
@@ -57,6 +59,22 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
   return none;
 }
 
+// The median of nine, without branches (N. Devillard, Fast median search, 1998).
+double median_of_nine(const double* x) {
+  static constexpr std::pair<int, int> exchanges[]{
+      {1, 2}, {4, 5}, {7, 8}, {0, 1}, {3, 4}, {6, 7}, {1, 2}, {4, 5}, {7, 8}, {0, 3},
+      {5, 8}, {4, 7}, {3, 6}, {1, 4}, {2, 5}, {4, 7}, {4, 2}, {6, 4}, {4, 2}};
+  std::array<double, about> v;
+  std::copy_n(x, about, v.begin());
+  for (const auto& [one, other] : exchanges) {
+    double &a = v[static_cast<std::size_t>(one)], &b = v[static_cast<std::size_t>(other)];
+    const double low = std::min(a, b), high = std::max(a, b);
+    a = low;
+    b = high;
+  }
+  return v[about / 2];
+}
+
 // A clock that stands, leaps or was stopped shows in the speed. `leapt`: it did before in this run;
 // comes back for the row `at`.
 void examine_speed(const Run& run, const Processing& p, Health& health, bool leapt, std::size_t at,
@@ -72,13 +90,20 @@ void examine_speed(const Run& run, const Processing& p, Health& health, bool lea
   v[0] = v[1];
   std::size_t steps = 0, first = 0, known = 0, lasting = n;
   double hard = 0;
-  Column middle(n, 0), window(about);  // medians of the rows from each one on
-  for (std::size_t k = 1; k + about <= n; ++k) {
-    std::copy_n(v.begin() + static_cast<std::ptrdiff_t>(k), about, window.begin());
-    middle[k] = median_of(window);
-  }
+  constexpr std::size_t block = 32;
   for (std::size_t k = about + 1; k + about <= n; ++k) {
-    const double before = middle[k - about], after = middle[k], here = v[k];
+    if (k % block == 0) {  // speeds that differ so little cannot leap
+      const auto nearby = v.begin() + static_cast<std::ptrdiff_t>(k - about);
+      const auto [least, most] = std::minmax_element(
+          nearby, nearby + std::min<std::ptrdiff_t>(block + 2 * about, v.end() - nearby));
+      if (*most <= 1.3 * *least &&
+          *most * *most - *least * *least <=
+              hardest * (2 * static_cast<double>(about) * p.layout.sample)) {
+        k += block - 1;
+        continue;
+      }
+    }
+    const double before = median_of_nine(&v[k - about]), after = median_of_nine(&v[k]), here = v[k];
     const double rate =
         (after * after - before * before) / (2 * static_cast<double>(about) * p.layout.sample);
     const double beside = std::abs(here * here - before * before) / (2 * p.layout.sample);
@@ -115,24 +140,15 @@ const char* name_of(Fault fault) {
 }
 
 double median(Column values) {
-  return median_of(values);
+  return num::upper_median(values);
 }
 
-double median_of(Column& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-void examine_clock(const Record& record, const Processing& p, Health& health, bool& leapt,
-                   std::size_t at) {
-  std::size_t rejected = 0;
+void examine_clock(const Record& record, const std::vector<Run>& runs, std::size_t rejected,
+                   const Processing& p, Health& health, bool& leapt, std::size_t at) {
   Column T;
   std::vector<bool> used(record.size(), false);
   const bool before = std::exchange(leapt, false);
-  for (Run& run : runs_of(record, p, rejected)) {
-    load(run, record);
+  for (const Run& run : runs) {
     for (const std::size_t i : run.rows) used[i] = true;
     examine_speed(run, p, health, before && run.rows.front() == 0, at, leapt);
     T.insert(T.end(), run.T.begin() + 1, run.T.end());
@@ -176,36 +192,38 @@ Health examine(Record& record, const Processing& processing) {
 Health examine(Record& record, const Processing& processing, ChannelOffsets& carried,
                std::size_t at) {
   require(record, processing);
+  std::vector<Run> runs;
+  return examine(record, processing, carried, at, runs);
+}
+
+Health examine(Record& record, const Processing& processing, ChannelOffsets& carried,
+               std::size_t at, std::vector<Run>& runs) {
   Health health;
   for (auto* rows : {&health.doubted, &health.zero_doubted})
     for (auto& channel : *rows) channel.assign(record.size(), false);
   health.place_doubted.assign(record.size(), false);
   health.clock_doubted.assign(record.size(), false);
-  examine_channels(record, processing, health, carried, at);
-  examine_clock(record, processing, health, carried.leapt, at);
-  examine_consistency(record, processing, health);
+  std::size_t rejected = 0;
+  runs = runs_of(record, processing, rejected);
+  examine_channels(record, runs, processing, health, carried, at);
+  for (Run& run : runs) prepare(run, record, processing);
+  examine_clock(record, runs, rejected, processing, health, carried.leapt, at);
+  examine_consistency(record, runs, processing, health);
   return health;
 }
 
 std::vector<Quality> quality(const Measurement& m, Parameter parameter, const Processing& p,
                              const Health& health) {
-  const std::size_t n = m.size(), reach = reach_of(parameter, p);
   std::vector<Quality> result = quality(m, parameter, p);
-  const std::vector<Channel> values = sources(parameter, false, p),
-                             means = sources(parameter, true, p);
-  std::vector<std::size_t> doubts(n + 1);  // before each row
-  for (std::size_t i = 0; i < n; ++i) {
-    bool doubt =
-        health.place_doubted[i] || (parameter != Parameter::gage && health.clock_doubted[i]);
-    for (const Channel c : values) doubt = doubt || health.doubted[static_cast<std::size_t>(c)][i];
-    for (const Channel c : means)
-      doubt = doubt || health.zero_doubted[static_cast<std::size_t>(c)][i];
-    doubts[i + 1] = doubts[i] + (doubt ? 1 : 0);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t from = i - std::min(i, reach), to = std::min(n, i + reach + 1);
-    if (doubts[to] > doubts[from] && result[i] != Quality::missing) result[i] = Quality::unreliable;
-  }
+  const auto doubt = [&](const std::vector<char>& rows) {
+    spread(result, reach_of(parameter, p), Quality::unreliable, rows, char{true});
+  };
+  doubt(health.place_doubted);
+  if (parameter != Parameter::gage) doubt(health.clock_doubted);
+  for (const Channel c : sources(parameter, false, p))
+    doubt(health.doubted[static_cast<std::size_t>(c)]);
+  for (const Channel c : sources(parameter, true, p))
+    doubt(health.zero_doubted[static_cast<std::size_t>(c)]);
   return result;
 }
 

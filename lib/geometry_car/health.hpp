@@ -43,8 +43,8 @@ struct Health {
   std::vector<Finding> findings;
   // Rows not to be trusted: of a channel altogether, or for its mean only (a moved zero); because
   // of the distance, or of the time, which the gage does not need.
-  std::array<std::vector<bool>, channels> doubted, zero_doubted;
-  std::vector<bool> place_doubted, clock_doubted;
+  std::array<std::vector<char>, channels> doubted, zero_doubted;
+  std::vector<char> place_doubted, clock_doubted;
 };
 
 // What a stretch of a longer record knows of the one before it: by how much each channel's zero has

@@ -39,15 +39,28 @@ std::vector<Run> runs_of(const Record& record, const Processing& p, std::size_t&
 }
 
 void load(Run& run, const Record& record) {
-  for (const std::size_t i : run.rows) {
+  const std::size_t n = run.rows.size(), first = run.rows.front();
+  if (run.rows.back() - first + 1 == n) {
+    run.T = View(record.elapsed).subspan(first, n);
+    for (std::size_t c = 0; c < channels; ++c)
+      run.values[c] = View(record.values[c]).subspan(first, n);
+    return;
+  }
+  run.own.clear();
+  run.own.reserve((channels + 1) * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = run.rows[k];
     double T = record.elapsed[i];
     // A rejected row took its share of the time.
-    if (!run.T.empty())
-      for (std::size_t j = i - 1; j > run.rows[run.T.size() - 1]; --j)
+    if (k > 0)
+      for (std::size_t j = i - 1; j > run.rows[k - 1]; --j)
         if (record.elapsed[j] > 0) T += record.elapsed[j];
-    run.T.push_back(T);
-    for (std::size_t c = 0; c < channels; ++c) run.values[c].push_back(record.values[c][i]);
+    run.own.push_back(T);
   }
+  for (const Column& values : record.values)
+    for (const std::size_t i : run.rows) run.own.push_back(values[i]);
+  run.T = View(run.own).first(n);
+  for (std::size_t c = 0; c < channels; ++c) run.values[c] = View(run.own).subspan((c + 1) * n, n);
 }
 
 void require(const Record& record, const Processing& p) {
@@ -114,13 +127,15 @@ Measurement reconstruct_runs(const Record& record, const Processing& processing,
   for (auto& values : result.values) values.assign(record.size(), nan);
   result.runs = runs.size();
   for (Run& run : runs) {
-    load(run, record);
-    const std::size_t n = run.rows.size();
+    const std::size_t n = run.size();
     for (std::size_t k = n > 1 ? 1 : n; k < n; ++k)
       result.speed[run.rows[k]] = run.direction * processing.layout.sample / run.T[k];
-    const auto columns = process(run, processing, record.mark);
-    for (std::size_t p = 0; p < parameters; ++p)
-      for (std::size_t k = 0; k < n; ++k) result.values[p][run.rows[k]] = columns[p][k];
+    auto columns = process(run, processing, record.mark);
+    if (n == record.size())
+      result.values = std::move(columns);
+    else
+      for (std::size_t p = 0; p < parameters; ++p)
+        for (std::size_t k = 0; k < n; ++k) result.values[p][run.rows[k]] = columns[p][k];
     run = {};
   }
   return result;
@@ -132,6 +147,7 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
   std::vector<Run> runs = runs_of(record, processing, rejected);
   for (const Run& run : runs) longest = std::max(longest, run.rows.size());
   require_length(longest, processing);
+  for (Run& run : runs) prepare(run, record, processing);
   Measurement result = reconstruct_runs(record, processing, std::move(runs));
   result.rejected = rejected;
   return result;
@@ -160,24 +176,27 @@ bool is_profile(Parameter p) {
 // What can be said of one row by itself, its value aside.
 std::vector<Quality> row_quality(const Measurement& m, Parameter parameter, const Processing& p) {
   const ParameterInfo& info = parameter_list()[static_cast<std::size_t>(parameter)];
-  const auto half = static_cast<std::size_t>(p.chain.half_chord);
+  const std::size_t n = m.size(), half = static_cast<std::size_t>(p.chain.half_chord);
   const double chord = 2 * static_cast<double>(half) * p.layout.sample;
-  std::vector<Quality> result(m.size(), Quality::good);
-  for (std::size_t i = 0; i < m.size(); ++i) {
+  // The errors are so much over the speed, and times the change of its square over its square.
+  const double level = is_alignment(parameter) ? levelling_error(chord, 1) : 0;
+  const double braking =
+      is_profile(parameter) ? braking_error(p.steepest, 1 / (2 * chord), chord, 1) : 0;
+  const double degraded = std::max(info.degraded_below, level / levelling_degrades),
+               unreliable = std::max(info.unreliable_below, level / levelling_spoils);
+  std::vector<Quality> result(n, Quality::good);
+  for (std::size_t i = 0; i < n && degraded > 0; ++i) {
     const double v = std::abs(m.speed[i]);
     if (std::isnan(v)) continue;
-    double braking = 0;
-    if (is_profile(parameter) && v >= info.unreliable_below && i >= half && i + half < m.size()) {
+    double change = 0;
+    if (braking > 0 && i >= half && i + half < n) {
       const double before = m.speed[i - half], after = m.speed[i + half];
-      if (!std::isnan(before) && !std::isnan(after))
-        braking =
-            braking_error(p.steepest, (after * after - before * before) / (2 * chord), chord, v);
+      change = braking * std::abs(after * after - before * before);
+      if (std::isnan(change)) change = 0;
     }
-    const double level = is_alignment(parameter) ? levelling_error(chord, v) : 0;
-    if (v < info.unreliable_below || braking > braking_spoils || level > levelling_spoils)
-      result[i] = Quality::unreliable;
-    else if (v < info.degraded_below || braking > braking_degrades || level > levelling_degrades)
-      result[i] = Quality::degraded;
+    if (v >= degraded && change <= braking_degrades * v * v) continue;
+    const bool spoilt = v < unreliable || change > braking_spoils * v * v;
+    result[i] = spoilt ? Quality::unreliable : Quality::degraded;
   }
   return result;
 }
@@ -186,19 +205,12 @@ std::vector<Quality> row_quality(const Measurement& m, Parameter parameter, cons
 
 std::vector<Quality> quality(const Measurement& m, Parameter parameter, const Processing& p) {
   const std::size_t n = m.size(), reach = reach_of(parameter, p);
-  std::vector<Quality> result = row_quality(m, parameter, p);
-  std::vector<std::size_t> degraded(n + 1), unreliable(n + 1);  // how many before each row
-  for (std::size_t i = 0; i < n; ++i) {
-    degraded[i + 1] = degraded[i] + (result[i] == Quality::degraded ? 1 : 0);
-    unreliable[i + 1] = unreliable[i] + (result[i] == Quality::unreliable ? 1 : 0);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t from = i - std::min(i, reach), to = std::min(n, i + reach + 1);
-    result[i] = std::isnan(m[parameter][i])         ? Quality::missing
-                : unreliable[to] > unreliable[from] ? Quality::unreliable
-                : degraded[to] > degraded[from]     ? Quality::degraded
-                                                    : Quality::good;
-  }
+  const std::vector<Quality> rows = row_quality(m, parameter, p);
+  std::vector<Quality> result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = std::isnan(m[parameter][i]) ? Quality::missing : Quality::good;
+  for (const Quality q : {Quality::degraded, Quality::unreliable})
+    spread(result, reach, q, rows, q);
   return result;
 }
 

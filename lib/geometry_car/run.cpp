@@ -13,18 +13,19 @@ namespace {
 using units::nan;
 
 struct Attitude {
-  Column body;   // roll of the car body, rad
-  Column track;  // sine of the roll of the track
+  Column sine, cosine;  // of the roll of the car body
+  Column track;         // sine of the roll of the track
 };
 
 // Crosslevel's chain: the inclinometer less what else it feels, for the slow part; the roll gyro
 // for the fast one.
-Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const Processing& p) {
+Attitude attitude(const Run& run, const Processing& p) {
+  const Column &yaw = run.yaw, &roll = run.roll;
   const Layout& l = p.layout;
   const Corrections& on = p.corrections;
   filters::ComplementaryFilter filter{filters::time_constant(p.roll_corner), p.roll_poles};
   Matched turn{l.second_corner}, centrifugal{l.second_corner}, rolling{l.second_corner};
-  Attitude a{Column(run.size(), nan), Column(run.size(), nan)};
+  Attitude a{Column(run.size(), nan), Column(run.size(), nan), Column(run.size(), nan)};
   // A start forgets itself like a step through the poles: to a third of a per cent in this time.
   const double settling = (4 + 2 * p.roll_poles) * filters::time_constant(p.roll_corner);
   double since = -1;  // the start or the last missing value; negative: not begun
@@ -42,18 +43,20 @@ Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const P
       centrifugal.settle(v * yaw[k]);
       rolling.settle(roll[k]);
     }
-    turn.push(yaw[k], T);
-    centrifugal.push(v * yaw[k], T);
-    rolling.push(roll[k], T);
+    turn.push(yaw[k], T, run.decay[k]);
+    centrifugal.push(v * yaw[k], T, run.decay[k]);
+    rolling.push(roll[k], T, run.decay[k]);
     if (on.centrifugal) felt -= centrifugal.rate();
     if (on.yaw_centre) felt -= 0.5 * l.truck_spacing * turn.derivative();
     if (on.roll_acceleration) felt += l.inclinometer_height * rolling.derivative();
     const double slow = std::asin(std::clamp(felt / g, -0.5, 0.5));
-    a.body[k] =
+    const double body =
         on.gyro ? filter.push(slow + rolling.held_back(), T * roll[k], T) : filter.push(slow, 0, T);
+    a.sine[k] = std::sin(body);
+    a.cosine[k] = std::cos(body);
     const double over =
         (run[Channel::height_left][k] - run[Channel::height_right][k]) / l.transducers;
-    if (since >= settling) a.track[k] = std::sin(a.body[k]) - over;
+    if (since >= settling) a.track[k] = a.sine[k] - over;
   }
   return a;
 }
@@ -63,16 +66,37 @@ double triangle(const Column& x, std::size_t k, double before, double after) {
   return before * (x[k - 1] / 3 + 2 * x[k] / 3) + after * (2 * x[k] / 3 + x[k + 1] / 3);
 }
 
+double short_chord(View z, std::size_t k) {
+  return z[k] - 0.5 * (z[k - 1] + z[k + 1]);
+}
+
+using Weights = std::vector<filters::SecondOrderHybrid::Weights>;
+
+filters::SecondOrderHybrid second_order(const Processing& p) {
+  return filters::SecondOrderHybrid{{2 * units::pi * p.layout.second_corner},
+                                    {.how = p.decay, .local = p.local}};
+}
+
+// Of the intervals at each row, for all of the run's filters.
+Weights weights_of(const Run& run, const Processing& p) {
+  const filters::SecondOrderHybrid filter = second_order(p);
+  Weights weights(run.size());
+  for (std::size_t k = 2; k < run.size(); ++k) {
+    const bool steady = k > 2 && run.T[k] == run.T[k - 1] && run.T[k - 1] == run.T[k - 2];
+    weights[k] = steady ? weights[k - 1] : filter.weights(run.T[k - 1], run.T[k]);
+  }
+  return weights;
+}
+
 // Short chord offsets of the path of an accelerometer; `correction` is added to the acceleration at
 // k, given the shares of the two intervals.
 template <class Correction>
-Column inertial(const Run& run, Channel accelerometer, const Processing& p, Correction correction,
-                const Column& step) {
-  filters::SecondOrderHybrid filter{{2 * units::pi * p.layout.second_corner},
-                                    {.how = p.decay, .local = p.local}};
+Column inertial(const Run& run, Channel accelerometer, const Processing& p, const Weights& weights,
+                Correction correction, const Column& step) {
+  filters::SecondOrderHybrid filter = second_order(p);
   Column m(run.size(), nan);
   for (std::size_t k = 0; k < run.size(); ++k) {
-    auto two = filter.push(run[accelerometer][k], k == 0 ? 1.0 : run.T[k]);
+    auto two = filter.push(run[accelerometer][k], k == 0 ? 1.0 : run.T[k], &weights[k]);
     if (k < 2) continue;
     const double before = two.T_before / (two.T_before + two.T_after);
     two.mean += correction(k - 1, before, 1 - before);
@@ -81,7 +105,7 @@ Column inertial(const Run& run, Channel accelerometer, const Processing& p, Corr
   return m;
 }
 
-Column curvature(const Run& run, const Column& yaw, const Processing& p) {
+Column curvature(const Run& run, const Processing& p) {
   const Layout& l = p.layout;
   Column turn(run.size(), nan), body(run.size());
   for (std::size_t k = 0; k < run.size(); ++k)
@@ -89,7 +113,7 @@ Column curvature(const Run& run, const Column& yaw, const Processing& p) {
                run[Channel::sway_rear][k]) /
               l.truck_spacing;
   for (std::size_t k = 1; k < run.size(); ++k) {
-    turn[k] = run.T[k] * yaw[k];
+    turn[k] = run.T[k] * run.yaw[k];
     if (p.corrections.truck_motion) turn[k] -= body[k] - body[k - 1];
     turn[k] *= run.direction;
   }
@@ -100,25 +124,25 @@ struct Sides {
   Column left, right;
 };
 
-Sides profile(const Run& run, const Attitude& att, const Processing& p, const Column& step) {
+Sides profile(const Run& run, const Attitude& att, const Processing& p, const Weights& weights,
+              const Column& step) {
   const Layout& l = p.layout;
   // What the leaning body mixes into the vertical: the lateral force that the inclinometer feels,
   // through the same filters, and gravity.
-  filters::SecondOrderHybrid filter{{2 * units::pi * l.second_corner},
-                                    {.how = p.decay, .local = p.local}};
+  filters::SecondOrderHybrid filter = second_order(p);
   Column sideways(run.size(), nan);
   for (std::size_t k = 0; k < run.size(); ++k) {
-    const auto two = filter.push(run[Channel::inclinometer][k], k == 0 ? 1.0 : run.T[k]);
+    const auto two =
+        filter.push(run[Channel::inclinometer][k], k == 0 ? 1.0 : run.T[k], &weights[k]);
     if (k > 0) sideways[k - 1] = two.mean;
   }
   const auto correction = [&](std::size_t k, double, double) {
     if (!p.corrections.vertical_attitude) return 0.0;
-    return sideways[k] * std::sin(att.body[k]) + g * (std::cos(att.body[k]) - 1);
+    return sideways[k] * att.sine[k] + g * (att.cosine[k] - 1);
   };
   const auto axle = [&](Channel accelerometer, Channel height) {
-    Column m = inertial(run, accelerometer, p, correction, step);
-    const Column over = short_chords(run[height]);
-    for (std::size_t k = 0; k < m.size(); ++k) m[k] -= over[k];
+    Column m = inertial(run, accelerometer, p, weights, correction, step);
+    for (std::size_t k = 1; k + 1 < m.size(); ++k) m[k] -= short_chord(run[height], k);
     return m;
   };
   Sides s{axle(Channel::vertical_left, Channel::height_left),
@@ -132,41 +156,43 @@ Sides profile(const Run& run, const Attitude& att, const Processing& p, const Co
   return s;
 }
 
-Sides alignment(const Run& run, const Attitude& att, const Processing& p) {
+Sides alignment(const Run& run, const Attitude& att, const Processing& p, const Weights& weights) {
   const auto gravity = [&](std::size_t k, double before, double after) {
     return p.corrections.gravity ? -g * triangle(att.track, k, before, after) : 0.0;
   };
-  const Column beam = inertial(run, Channel::lateral, p, gravity, {});
-  const Column rolled = short_chords(att.track);
-  Sides s{short_chords(run[Channel::gage_left]), short_chords(run[Channel::gage_right])};
-  for (std::size_t k = 0; k < beam.size(); ++k) {
+  const Column beam = inertial(run, Channel::lateral, p, weights, gravity, {});
+  Sides s{Column(beam.size(), nan), Column(beam.size(), nan)};
+  for (std::size_t k = 1; k + 1 < beam.size(); ++k) {
     const double path =
-        beam[k] + (p.corrections.beam_height ? p.layout.beam_height * rolled[k] : 0.0);
-    s.left[k] = path + s.left[k];
-    s.right[k] = path - s.right[k];
+        beam[k] +
+        (p.corrections.beam_height ? p.layout.beam_height * short_chord(att.track, k) : 0.0);
+    s.left[k] = path + short_chord(run[Channel::gage_left], k);
+    s.right[k] = path - short_chord(run[Channel::gage_right], k);
   }
   return s;
 }
 
 }  // namespace
 
-Column rates(const Run& run, Channel gyro, const Processing& p) {
-  filters::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
-  Column rate(run.size());
-  for (std::size_t k = 0; k < run.size(); ++k)
-    rate[k] = c.push(run[gyro][k], k == 0 ? 1.0 : run.T[k]);
-  return rate;
+void prepare(Run& run, const Record& record, const Processing& p) {
+  load(run, record);
+  const std::size_t n = run.size();
+  run.decay.assign(n, nan);
+  for (std::size_t k = 1; k < n; ++k)
+    run.decay[k] = std::exp(-2 * units::pi * p.layout.second_corner * run.T[k]);
+  const auto rates = [&](Channel gyro) {
+    filters::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
+    Column rate(n);
+    for (std::size_t k = 0; k < n; ++k) rate[k] = c.push(run[gyro][k], k == 0 ? 1.0 : run.T[k]);
+    return rate;
+  };
+  run.yaw = rates(Channel::yaw_rate);
+  run.roll = rates(Channel::roll_rate);
 }
 
-void Matched::push(double rate, double T) {
-  const double k = w_ * T, a = std::exp(-k);
-  second_ = rate + a * (second_ - rate + k * (first_ - rate));
-  first_ = rate + a * (first_ - rate);
-}
-
-Column short_chords(const Column& z) {
+Column short_chords(View z) {
   Column m(z.size(), nan);
-  for (std::size_t k = 1; k + 1 < z.size(); ++k) m[k] = z[k] - 0.5 * (z[k - 1] + z[k + 1]);
+  for (std::size_t k = 1; k + 1 < z.size(); ++k) m[k] = short_chord(z, k);
   return m;
 }
 
@@ -229,22 +255,24 @@ std::array<Column, parameters> process(const Run& run, const Processing& p,
                                        const std::vector<long>& marks) {
   std::array<Column, parameters> out;
   const auto at = [&](Parameter q) -> Column& { return out[static_cast<std::size_t>(q)]; };
-  const Column yaw = rates(run, Channel::yaw_rate, p), roll = rates(run, Channel::roll_rate, p);
-  const Attitude att = attitude(run, yaw, roll, p);
+  const Attitude att = attitude(run, p);
   Column step;  // rise of the rails over the foot before each sample, where it is known
-  for (const std::size_t i : run.rows) {
-    const long before = marks[i] - (run.direction > 0 ? 1 : 0);
+  const std::size_t known_steps = p.grade.empty() ? 0 : run.size();
+  step.reserve(known_steps);
+  for (std::size_t k = 0; k < known_steps; ++k) {
+    const long before = marks[run.rows[k]] - (run.direction > 0 ? 1 : 0);
     const bool known = before >= 0 && before < static_cast<long>(p.grade.size());
     step.push_back(
         known ? run.direction * p.layout.sample * p.grade[static_cast<std::size_t>(before)] : 0.0);
   }
-  const Sides up = profile(run, att, p, step), across = alignment(run, att, p);
+  const Weights weights = weights_of(run, p);
+  const Sides up = profile(run, att, p, weights, step), across = alignment(run, att, p, weights);
 
   at(Parameter::gage).resize(run.size());
   for (std::size_t k = 0; k < run.size(); ++k)
     at(Parameter::gage)[k] =
         run[Channel::gage_left][k] + run[Channel::gage_right][k] + p.layout.beam;
-  at(Parameter::curvature) = curvature(run, yaw, p);
+  at(Parameter::curvature) = curvature(run, p);
   const auto span = static_cast<std::size_t>(p.curvature_mean), half = span / 2;
   auto& rate = at(Parameter::curvature_rate) = change_over(at(Parameter::curvature), span);
   for (double& value : rate)

@@ -5,13 +5,21 @@
 #include <algorithm>
 #include <utility>
 
-#include <railbook/geometry_car/detail/run.hpp>
+#include <railbook/geometry_car/detail/health_parts.hpp>
 
 namespace railbook::geometry_car {
 namespace {
 
 constexpr std::size_t settled = 4096;  // rows: 80 time constants of the roll filter at 30 m/s
 constexpr std::size_t ends = 4;        // rows at the begin of a stretch that are not judged
+
+// Does it with each column of one record and of the other.
+template <class Do>
+void each_column(const Record& from, Record& to, Do with) {
+  with(from.elapsed, to.elapsed);
+  with(from.mark, to.mark);
+  for (std::size_t c = 0; c < channels; ++c) with(from.values[c], to.values[c]);
+}
 
 }  // namespace
 
@@ -40,35 +48,33 @@ void Stretches::finish() {
 void Stretches::judge(std::size_t to) {
   const std::size_t keep_from = to - std::min(to, shared_);  // never before what is held
   Stretch s{.first = done_, .from = done_ - base_, .to = to - base_, .m = {}, .quality = {}};
-  {
-    Record record = record_;  // masked by examine(): what is shared must not be
-    const Health health = examine(record, processing_, carried_, keep_from - base_ + ends);
-    for (Finding finding : health.findings) {
-      finding.first += base_;
-      keep(std::move(finding));
-    }
-    std::size_t ignored = 0;
-    std::vector<Run> runs = runs_of(record, processing_, ignored);
-    std::size_t used = 0;
-    for (const Run& run : runs) {
-      longest_ = std::max(longest_, run.rows.size());
-      runs_ += run.rows.front() >= s.from && run.rows.front() < s.to ? 1 : 0;
-      for (const std::size_t i : run.rows) used += i >= s.from && i < s.to ? 1 : 0;
-    }
-    rejected_ += s.to - s.from - used;
-    s.m = reconstruct_runs(record, processing_, std::move(runs));
-    for (const ParameterInfo& info : parameter_list())
-      s.quality[static_cast<std::size_t>(info.parameter)] =
-          quality(s.m, info.parameter, processing_, health);
+  const std::size_t drop = keep_from - base_;
+  Record shared;  // with the next stretch, which must not know what examine() masks
+  each_column(record_, shared, [&](const auto& values, auto& kept) {
+    kept.assign(values.begin() + static_cast<std::ptrdiff_t>(drop), values.end());
+  });
+  std::vector<Run> runs;
+  const Health health = examine(record_, processing_, carried_, drop + ends, runs);
+  for (Finding finding : health.findings) {
+    finding.first += base_;
+    keep(std::move(finding));
   }
+  std::size_t used = 0;
+  for (const Run& run : runs) {
+    longest_ = std::max(longest_, run.rows.size());
+    runs_ += run.rows.front() >= s.from && run.rows.front() < s.to ? 1 : 0;
+    for (const std::size_t i : run.rows) used += i >= s.from && i < s.to ? 1 : 0;
+  }
+  rejected_ += s.to - s.from - used;
+  s.m = reconstruct_runs(record_, processing_, std::move(runs));
+  for (const ParameterInfo& info : parameter_list())
+    s.quality[static_cast<std::size_t>(info.parameter)] =
+        quality(s.m, info.parameter, processing_, health);
   ++stretches_;
   sink_(s);
   done_ = to;
-  const auto drop = static_cast<std::ptrdiff_t>(keep_from - base_);
-  record_.elapsed.erase(record_.elapsed.begin(), record_.elapsed.begin() + drop);
-  record_.mark.erase(record_.mark.begin(), record_.mark.begin() + drop);
-  for (auto& values : record_.values) values.erase(values.begin(), values.begin() + drop);
-  base_ += static_cast<std::size_t>(drop);
+  each_column(shared, record_, [](const auto& kept, auto& values) { values = kept; });
+  base_ += drop;
 }
 
 void Stretches::keep(Finding finding) {

@@ -5,18 +5,16 @@
 #include <memory>
 #include <span>
 
+#include <railbook/num/frame_fft.hpp>
+
 namespace railbook::num {
 
 // out = filter * in for arrays of `rows` x `columns` (row major) in a periodic frame of at least
-// that size, zero around the array. The filter's transform is real and even, so a quarter of it is
-// held. The frame is never held whole: its empty rows are neither stored nor transformed, and its
-// columns pass through the cache a few at a time.
+// that size, zero around the array: see FrameFft. The filter's transform is real and even, so a
+// quarter of it is held.
 //
 // Errors are of the order of rounding, 2e-15 of the largest value and kernel times the number of
 // values.
-//
-// Each row and each column is transformed for itself, so that the digits do not depend on the
-// number of threads.
 class EvenFilter {
  public:
   EvenFilter(std::size_t rows, std::size_t columns, std::size_t frame_rows,
@@ -40,19 +38,6 @@ class EvenFilter {
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
-};
-
-// Aligned memory for `complexes` complex numbers, for EvenFilter::apply.
-class Workspace {
- public:
-  explicit Workspace(std::size_t complexes);
-  ~Workspace();
-  Workspace(const Workspace&) = delete;
-  Workspace& operator=(const Workspace&) = delete;
-  double* data() { return data_; }
-
- private:
-  double* data_;
 };
 
 }  // namespace railbook::num

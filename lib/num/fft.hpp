@@ -14,6 +14,10 @@ namespace railbook::num {
 
 // The smallest n' >= n of the form 2^a 3^b 5^c 7^d: sizes FFTW transforms fast. n >= 1.
 std::size_t good_fft_size(std::size_t n);
+// Likewise of the multiples of 4: an odd size takes FFTW twice as long.
+inline std::size_t good_frame_size(std::size_t n) {
+  return 4 * good_fft_size((n + 3) / 4);
+}
 
 // A one-dimensional real transform of length n, with its own aligned buffers. Coefficients are
 // within 2e-15 of the norm of the samples times sqrt(n).
@@ -35,8 +39,8 @@ class RealFft {
   std::unique_ptr<Plan> plan_;
 };
 
-// A one-dimensional complex transform of length n in place, unnormalised both ways; with the same
-// accuracy. Two real sequences at once are its real and its imaginary part.
+// A one-dimensional complex transform of length n, unnormalised both ways; with the same accuracy.
+// Two real sequences at once are its real and its imaginary part.
 class ComplexFft {
  public:
   explicit ComplexFft(std::size_t n);
@@ -44,7 +48,8 @@ class ComplexFft {
   ComplexFft(ComplexFft&&) noexcept;
   ComplexFft& operator=(ComplexFft&&) noexcept;
 
-  std::span<std::complex<double>> values();  // n samples or coefficients, exp(-2 pi i k j / n)
+  // n samples or coefficients, exp(-2 pi i k j / n); elsewhere after a transform.
+  std::span<std::complex<double>> values();
   void forward();
   void inverse();
 

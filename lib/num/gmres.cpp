@@ -8,8 +8,7 @@ namespace {
 
 // The least-squares problem of the Hessenberg matrix, kept triangular by Givens rotations.
 struct Hessenberg {
-  explicit Hessenberg(int most, double first)
-      : h(Eigen::MatrixXd::Zero(most + 1, most)), c(most), s(most), g(most + 1) {
+  explicit Hessenberg(int most, double first) : h(most + 1, most), c(most), s(most), g(most + 1) {
     g.setZero();
     g[0] = first;
   }
@@ -53,6 +52,7 @@ Gmres gmres(const LinearMap& a, const LinearMap& p, const Eigen::VectorXd& b, do
     p(in, z);
     a(z, w);
     auto earlier = basis.leftCols(k + 1);
+    small.h.col(k).head(k + 1).setZero();
     for (int pass = 0; pass < 2; ++pass) {
       const Eigen::VectorXd along = earlier.transpose() * w;
       w.noalias() -= earlier * along;

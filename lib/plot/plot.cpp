@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -63,7 +64,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 // Starts the program directly (no shell), in `folder` and in a process group of its own, with
-// nothing to read, its output thrown away and its messages going to `messages`.
+// nothing to read, its output thrown away and its messages going to `messages`. No signal waits in
+// it, whatever waits here.
 pid_t start(std::vector<std::string> arguments, const fs::path& folder, int messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -73,7 +75,10 @@ pid_t start(std::vector<std::string> arguments, const fs::path& folder, int mess
   posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
   posix_spawnattr_setpgroup(&attributes, 0);
   std::vector<std::string> variables = environment_for_gnuplot();
   pid_t child = 0;
@@ -106,11 +111,13 @@ Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
   };
   const Closed reading{ends[0]};
   pid_t child = 0;
+  std::optional<files::ChildGuard> doomed;
   {
+    const files::BlockSignals until_guarded;  // or one that ends us would leave gnuplot
     const Closed writing{ends[1]};
     child = start(std::move(arguments), folder, ends[1]);
+    doomed.emplace(child);
   }
-  const files::ChildGuard doomed(child);
   const Clock::time_point end = Clock::now() + time_limit();
   Outcome outcome;
   bool more = true;

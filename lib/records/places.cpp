@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <railbook/num/pairs.hpp>
+
 namespace railbook::records {
 
 void PlaceMap::add(std::size_t sample, std::span<const double> positions) {
@@ -15,23 +17,56 @@ void PlaceMap::add(std::size_t sample, std::span<const double> positions) {
   }
   Node from = nodes_.back(), last = last_;
   double low = low_, high = high_;
-  for (const double position : positions) {
-    const Node here{static_cast<double>(sample++), direction_ * position};
-    double share = 1 / (here.sample - from.sample), slope = (here.position - from.position) * share;
-    if (slope < low || slope > high) {
-      nodes_.push_back(from = last);
-      low = -infinity;
-      high = infinity;
-      share = 1 / (here.sample - from.sample);
-      slope = (here.position - from.position) * share;
+  for (std::size_t i = 0; i < positions.size();) {
+    const auto next = positions.subspan(i, std::min<std::size_t>(64, positions.size() - i));
+    i += next.size();
+    if (next.size() == 64 && pass(from, sample, next, low, high)) {
+      sample += next.size();
+      last = {static_cast<double>(sample - 1), direction_ * next.back()};
+      continue;
     }
-    low = std::max(low, slope - 0.5 * spacing_ * share);
-    high = std::min(high, slope + 0.5 * spacing_ * share);
-    last = here;
+    for (const double position : next) {
+      const Node here{static_cast<double>(sample++), direction_ * position};
+      double share = 1 / (here.sample - from.sample),
+             slope = (here.position - from.position) * share;
+      if (slope < low || slope > high) {
+        nodes_.push_back(from = last);
+        low = -infinity;
+        high = infinity;
+        share = 1 / (here.sample - from.sample);
+        slope = (here.position - from.position) * share;
+      }
+      low = std::max(low, slope - 0.5 * spacing_ * share);
+      high = std::min(high, slope + 0.5 * spacing_ * share);
+      last = here;
+    }
   }
   last_ = last;
   low_ = low;
   high_ = high;
+}
+
+// Whether all slopes from a node to an even number of positions keep to the bounds, those that the
+// positions themselves set among them: then the bounds become these.
+bool PlaceMap::pass(const Node& from, std::size_t sample, std::span<const double> positions,
+                    double& low, double& high) const {
+  const double first = static_cast<double>(sample) - from.sample;
+  num::Pair count{first, first + 1}, lowest = num::both(low), highest = num::both(high);
+  num::Pair least = num::both(std::numeric_limits<double>::infinity()), most = -least;
+  for (std::size_t i = 0; i < positions.size(); i += 2, count += 2) {
+    const num::Pair share = 1 / count, half = 0.5 * spacing_ * share;
+    const num::Pair slope = (direction_ * num::pair_at(&positions[i]) - from.position) * share;
+    least = num::smaller(slope, least);
+    most = num::larger(slope, most);
+    lowest = num::larger(slope - half, lowest);
+    highest = num::smaller(slope + half, highest);
+  }
+  const double new_low = std::max(lowest[0], lowest[1]);
+  const double new_high = std::min(highest[0], highest[1]);
+  if (std::min(least[0], least[1]) < new_low || std::max(most[0], most[1]) > new_high) return false;
+  low = new_low;
+  high = new_high;
+  return true;
 }
 
 void PlaceMap::jump(std::size_t sample, double position) {

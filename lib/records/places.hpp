@@ -44,6 +44,8 @@ class PlaceMap {
     bool jump = false;  // from the node before
   };
   std::vector<Node> all_nodes() const;
+  bool pass(const Node& from, std::size_t sample, std::span<const double> positions, double& low,
+            double& high) const;
 
   double ahead(std::size_t sample) const;
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <railbook/num/pairs.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/number_text.hpp>
@@ -20,6 +21,37 @@ constexpr double off_grid = 0.25;                        // of a spacing
 constexpr double spacing_mismatch = 0.005, spacing_refused = 0.02;
 constexpr double highest_height = 1e6;  // m: its square still has all digits to spare
 constexpr double lag = 10;              // m
+
+// How many positions are about a spacing behind the one before, which that before the first is, up
+// to the first eight one of which is not.
+std::size_t even_steps(std::span<const double> positions, double direction, double spacing,
+                       double slack) {
+  std::size_t i = 0;
+  for (; i + 8 <= positions.size(); i += 8) {
+    num::PairMask even = ~num::PairMask{};
+    for (std::size_t j = i; j < i + 8; j += 2) {
+      const double* const at = positions.data() + j;
+      const num::Pair here = direction * num::pair_at(at),
+                      before = direction * num::pair_at(at - 1);
+      const num::Pair off = num::absolute(here - before - spacing);
+      even &= num::is_number(off) & (num::only(num::is_number(off), off) <= slack);
+    }
+    if (num::any(~even)) break;
+  }
+  return i;
+}
+
+bool all_within(std::span<const double> values, double most) {
+  num::PairMask known = ~num::PairMask{};
+  num::Pair largest{};
+  for (std::size_t i = 0; i + 2 <= values.size(); i += 2) {
+    const num::Pair size = num::absolute(num::pair_at(&values[i]));
+    known &= num::is_number(size);
+    largest = num::larger(num::only(num::is_number(size), size), largest);
+  }
+  return !num::any(~known) && !num::any(largest > most) &&
+         std::islessequal(std::abs(values.back()), most);
+}
 
 }  // namespace
 
@@ -70,10 +102,15 @@ std::size_t RecordStream::go_on(std::span<const double> positions) {
   const double slack = off_grid * spacing_;
   double last = last_position_;
   std::size_t n = 0;
-  for (; n < positions.size(); ++n) {
-    const double position = direction_ * positions[n];
-    if (!std::islessequal(std::abs(position - last - spacing_), slack)) break;
-    last = position;
+  const auto even = [&](double before) {
+    return n < positions.size() &&
+           std::islessequal(std::abs(direction_ * positions[n] - before - spacing_), slack);
+  };
+  if (even(last)) {
+    ++n;
+    n += even_steps(positions.subspan(n), direction_, spacing_, slack);
+    while (even(direction_ * positions[n - 1])) ++n;
+    last = direction_ * positions[n - 1];
   }
   if (n > 0) places_.add(steps_ + 1, positions.first(n));
   fresh_ = fresh_ && n == 0;
@@ -150,7 +187,9 @@ void RecordStream::resync(const Sample& sample, const std::string& why) {
 }
 
 void RecordStream::take(std::span<const double> values) {
-  for (const double value : values) {
+  const bool usual = varies_ && !values.empty() && all_within(values, highest_height);
+  if (usual) placed_ += values.size();
+  for (const double value : usual ? std::span<const double>{} : values) {
     ++placed_;
     if (!std::islessequal(std::abs(value), highest_height) && !std::isnan(value))
       units::require_between("sample " + std::to_string(placed_), value, -highest_height,
@@ -215,28 +254,35 @@ void RecordStream::put(std::span<const double> values) {
 
 // The height against the mean of those 10 m before and behind: a grade does not show.
 void RecordStream::compare(std::span<const double> values) {
-  if (past_.empty())
-    past_.assign(2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5)), lost);
-  const std::size_t size = past_.size();
-  const std::size_t inner = std::max<std::size_t>(1, static_cast<std::size_t>(0.29 * double(size)));
-  std::size_t at = oldest_, middle = (at + size / 2) % size, moves = moves_;
-  double moved = moved_, moved_inner = moved_inner_;
-  for (const double value : values) {
-    const double offset = past_[middle] - 0.5 * (value + past_[at]);
-    const double within = past_[middle] - 0.5 * (past_[(middle + size - inner) % size] +
-                                                 past_[(middle + inner) % size]);
-    past_[at] = value;
-    if (++at == size) at = 0;
-    if (++middle == size) middle = 0;
-    if (std::isnan(offset)) continue;
-    moved += offset * offset;
-    if (!std::isnan(within)) moved_inner += within * within;
-    ++moves;
+  if (reach_ == 0) {
+    reach_ = 2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5));
+    past_.assign(reach_, lost);
   }
-  oldest_ = at;
-  moved_ = moved;
-  moved_inner_ = moved_inner;
-  moves_ = moves;
+  const std::size_t middle = reach_ / 2, count = values.size();
+  const std::size_t inner =
+      std::max<std::size_t>(1, static_cast<std::size_t>(0.29 * static_cast<double>(reach_)));
+  const std::size_t behind = middle - inner, ahead = (middle + inner) % reach_;
+  past_.insert(past_.end(), values.begin(), values.end());
+  past_.push_back(lost);  // behind an odd number
+  const double* oldest = &past_[past_.size() - 1 - count - reach_];
+  num::Pair moved{}, moved_inner{};
+  num::PairMask known{};
+  for (std::size_t i = 0; i < count; i += 2, oldest += 2) {
+    const num::Pair here = num::pair_at(oldest + middle);
+    const num::Pair offset = here - 0.5 * (num::pair_at(oldest + reach_) + num::pair_at(oldest));
+    const num::Pair inner_offset =
+        here - 0.5 * (num::pair_at(oldest + behind) + num::pair_at(oldest + ahead));
+    const num::Pair within = inner_offset + (offset - offset);  // known where both are
+    moved += num::only(num::is_number(offset), offset * offset);
+    moved_inner += num::only(num::is_number(within), within * within);
+    known -= num::is_number(offset);
+  }
+  moved_ += moved[0] + moved[1];
+  moved_inner_ += moved_inner[0] + moved_inner[1];
+  moves_ += static_cast<std::size_t>(known[0] + known[1]);
+  past_.pop_back();
+  if (past_.size() > 2 * reach_ + piece)
+    past_.erase(past_.begin(), past_.end() - static_cast<std::ptrdiff_t>(reach_));
 }
 
 std::size_t RecordStream::unread(std::size_t first, std::size_t count, std::size_t reach) const {

@@ -150,8 +150,8 @@ class RecordStream {
   double last_value_ = 0;  // the last good one
   std::size_t samples_ = 0, missing_ = 0, bridged_ = 0, faulty_ = 0;
   std::vector<Stretch> unread_;
-  std::vector<double> past_;  // 20 m of samples, in turn
-  std::size_t oldest_ = 0;    // of them
+  std::vector<double> past_;  // 20 m of samples, behind some that are older
+  std::size_t reach_ = 0;     // how many samples these are
   double moved_ = 0;          // sum of squared offsets of their middle
   double moved_inner_ = 0;    // the same of a chord of 11.6 m: a wave may vanish in one of them
   std::size_t moves_ = 0;

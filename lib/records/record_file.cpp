@@ -204,12 +204,13 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       for (std::size_t i = 0; i < columns.size(); ++i) heights[i * block] = lost;
       add_rows(1);
     }
-    std::fill_n(at.begin(), positions ? rows : 0, 0.0);
     if (positions && !all_plain) at[0] = read_position(*positions, reader, cells);
-    for (std::size_t i = 0; all_plain && i < position_at.size(); ++i) {
+    if (all_plain && parts) std::copy_n(&numbers[position_at[0] * block], rows, at.data());
+    if (all_plain && !parts) std::fill_n(at.begin(), positions ? rows : 0, 0.0);
+    for (std::size_t i = 0; all_plain && !parts && i < position_at.size(); ++i) {
       const double* const from = &numbers[position_at[i] * block];
       for (std::size_t r = 0; r < rows; ++r) {
-        at[r] += parts ? from[r] : positions->metres(i, from[r]);
+        at[r] += positions->metres(i, from[r]);
         if (std::isnan(at[r]) && !std::isnan(from[r]))
           throw InputError{table::quoted_name(source.file) + ", line " +
                            std::to_string(reader.line()) +
@@ -221,7 +222,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       const double* const from = &numbers[height_at[i] * block];
       double* const height = &heights[i * block];
       if (!all_plain) height[0] = cells.height(column[i]) * metre[i];
-      for (std::size_t r = 0; all_plain && r < rows; ++r)
+      for (std::size_t r = 0; all_plain && r < rows; ++r) height[r] = from[r] * metre[i];
+      for (std::size_t r = 0; all_plain && !source.missing.empty() && r < rows; ++r)
         height[r] = cells.unless_missing(from[r]) * metre[i];
     }
     if (positions) miles.watch({at.data(), rows});

@@ -83,7 +83,7 @@ std::string samples_text(std::size_t n) {
 
 double RecordStream::roughness() const {
   if (moves_ < fewest_moves) return 0;
-  const double reach = 0.5 * static_cast<double>(past_.size()) * spacing_;
+  const double reach = 0.5 * static_cast<double>(reach_) * spacing_;
   return moved_ / static_cast<double>(moves_) / (units::pi * units::pi * reach);  // equation (8)
 }
 
@@ -169,12 +169,11 @@ std::vector<units::Warning> RecordStream::warnings() const {
   const bool periodic = A < smoothest && inner >= smoothest;
   // Samples millimetres apart are of a rail's running surface.
   if (spacing_ > 0.02 && A > 0 && !(A >= smoothest && A <= roughest) && !periodic)
-    result.push_back(
-        {"unit",
-         "heights leave the chord of " + short_text(static_cast<double>(past_.size()) * spacing_) +
-             " m by " +
-             short_text(std::sqrt(moved_ / static_cast<double>(moves_)) / units::millimetre) +
-             " mm (rms), as no track's do: is the unit right?"});
+    result.push_back({"unit", "heights leave the chord of " +
+                                  short_text(static_cast<double>(reach_) * spacing_) + " m by " +
+                                  short_text(std::sqrt(moved_ / static_cast<double>(moves_)) /
+                                             units::millimetre) +
+                                  " mm (rms), as no track's do: is the unit right?"});
   return result;
 }
 

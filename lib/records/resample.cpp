@@ -12,10 +12,10 @@
 namespace railbook::records {
 namespace {
 
-constexpr std::size_t settling = 200;  // rows that decide on the usual step
-constexpr double gap = 3;              // steps
-constexpr double coarsest = 1.5;       // of the usual step
-constexpr double on_grid = 1e-6;       // of a spacing
+constexpr std::size_t rows_to_settle = 200;  // rows that decide on the usual step
+constexpr double gap = 3;                    // steps
+constexpr double coarsest = 1.5;             // of the usual step
+constexpr double on_grid = 1e-6;             // of a spacing
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void Resampler::push(double position, std::span<const double> heights) {
   Row row{position, {heights.begin(), heights.end()}};
   if (settled_) return take(row);
   first_.push_back(std::move(row));
-  if (first_.size() == settling) settle();
+  if (first_.size() == rows_to_settle) settle();
 }
 
 void Resampler::finish() {

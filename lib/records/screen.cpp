@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+
+#include <railbook/num/median.hpp>
+#include <railbook/num/pairs.hpp>
 
 namespace railbook::records {
 namespace {
@@ -17,45 +21,85 @@ constexpr double largest_jump = 0.1,
                  steepest = 0.3;       // m, m/m: from one sample to the next, on any track
 constexpr double returns_within = 20;  // m: a level that does is a defect
 
-// The upper median, 0 of nothing; x is used up. As std::nth_element, but without branches that
-// nobody can foretell: each round parts what is left into what is below the pivot, to the front of
-// the other array, and what is above it, to its end.
-double median_of(std::vector<double>& x) {
-  if (x.empty()) return 0;
-  std::vector<double> other(x.size());
-  double *from = x.data(), *to = other.data();
-  std::size_t n = x.size(), wanted = n / 2;
-  while (true) {
-    const double a = from[n / 4], b = from[n / 2], c = from[3 * n / 4];
-    const double pivot = std::max(std::min(a, b), std::min(std::max(a, b), c));
-    std::size_t below = 0, above = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double value = from[i];
-      to[below] = value;
-      to[n - 1 - above] = value;
-      below += value < pivot ? 1 : 0;
-      above += value > pivot ? 1 : 0;
-    }
-    if (wanted >= below && wanted < n - above) return pivot;
-    std::swap(from, to);
-    if (wanted >= below) {
-      from += n - above;
-      to += n - above;
-      wanted -= n - above;
-      n = above;
-    } else {
-      n = below;
-    }
+// The moves |v[i + lag] - v[i]| from low to high, of every so many samples, and how many are there
+// from `least` and from low on.
+struct Kept {
+  std::vector<double> moves;
+  std::size_t all = 0, from_low = 0;
+};
+Kept keep_moves(const std::vector<double>& v, std::size_t lag, std::size_t stride, double least,
+                double low, double high) {
+  std::vector<double> moves(v.size() / stride + 2);
+  num::PairMask all{}, from_low{};
+  std::size_t size = 0;
+  for (std::size_t i = 0; i + lag < v.size(); i += 2 * stride) {
+    const std::size_t next = i + stride;
+    const num::Pair move = num::absolute(
+        num::Pair{v[i + lag] - v[i], next + lag < v.size() ? v[next + lag] - v[next] : lost});
+    const num::PairMask there = num::is_number(move);
+    const num::Pair known = num::only(there, move) + num::only(~there, num::both(-1));
+    all -= known >= least;
+    from_low -= known >= low;
+    const num::PairMask here = (known >= low) & (known <= high);
+    moves[size] = move[0];
+    size -= static_cast<std::size_t>(here[0]);
+    moves[size] = move[1];
+    size -= static_cast<std::size_t>(here[1]);
   }
+  moves.resize(size);
+  return {std::move(moves), static_cast<std::size_t>(all[0] + all[1]),
+          static_cast<std::size_t>(from_low[0] + from_low[1])};
 }
 
-// |v[i + lag] - v[i]| of about `wanted` pairs.
-std::vector<double> moves(const std::vector<double>& v, std::size_t lag, std::size_t wanted) {
-  std::vector<double> result;
-  const std::size_t stride = std::max<std::size_t>(1, v.size() / wanted);
-  for (std::size_t i = 0; i + lag < v.size(); i += stride)
-    if (!std::isnan(v[i]) && !std::isnan(v[i + lag])) result.push_back(std::abs(v[i + lag] - v[i]));
-  return result;
+// The number of about so many such moves that are not below `least`, and their upper median, which
+// was about `before`: what is near to that holds the new one as a rule.
+struct Moves {
+  std::size_t count = 0;
+  double median = 0;
+};
+Moves moves(const std::vector<double>& v, std::size_t lag, std::size_t about, double least,
+            double before) {
+  const std::size_t stride = std::max<std::size_t>(1, v.size() / about);
+  const double low = std::max(least, 0.85 * before);
+  Kept kept = keep_moves(v, lag, stride, least, low, 1.15 * before);
+  std::size_t below = kept.all - kept.from_low;
+  const std::size_t middle = kept.all / 2;
+  if (middle < below || middle >= below + kept.moves.size()) {
+    kept = keep_moves(v, lag, stride, least, least, std::numeric_limits<double>::infinity());
+    below = 0;
+  }
+  return {kept.all, kept.all > 0 ? num::nth_smallest(kept.moves, middle - below) : 0};
+}
+
+// The smallest step of v[0] to v[n] that is not zero, if it is less than `least`.
+double least_step(const double* v, std::size_t n, double least) {
+  const num::Pair infinite = num::both(std::numeric_limits<double>::infinity());
+  num::Pair smallest = num::both(least);
+  std::size_t i = 0;
+  for (; i + 2 <= n; i += 2) {
+    const num::Pair move = num::absolute(num::pair_at(v + i + 1) - num::pair_at(v + i));
+    const num::Pair step = num::only(num::is_number(move), move);
+    smallest = num::smaller(step + num::only(step == 0, infinite), smallest);
+  }
+  least = std::min(smallest[0], smallest[1]);
+  const double last = i < n ? std::abs(v[i + 1] - v[i]) : least;
+  return std::isless(last, least) && last > 0 ? last : least;
+}
+
+// How many of n steps before v[0], v[1] and so on are neither zero nor over `most`, up to the first
+// eight one of which is.
+std::size_t usual_steps(const double* v, std::size_t n, double most) {
+  std::size_t i = 0;
+  for (; i + 8 <= n; i += 8) {
+    num::PairMask usual = ~num::PairMask{};
+    for (std::size_t j = i; j < i + 8; j += 2) {
+      const num::Pair move = num::absolute(num::pair_at(v + j) - num::pair_at(v + j - 1));
+      const num::Pair step = num::only(num::is_number(move), move);
+      usual &= (step > 0) & (step <= most);
+    }
+    if (num::any(~usual)) break;
+  }
+  return i;
 }
 
 }  // namespace
@@ -99,20 +143,20 @@ std::optional<FaultyStretch> Screen::still() const {
 }
 
 void Screen::measure() {
-  for (; seen_ + 1 < v_.size(); ++seen_) {
-    const double step = std::abs(v_[seen_ + 1] - v_[seen_]);
-    if (std::isless(step, quantum_) && step > 0) quantum_ = step;
+  if (seen_ + 1 < v_.size()) {
+    quantum_ = least_step(&v_[seen_], v_.size() - 1 - seen_, quantum_);
+    seen_ = v_.size() - 1;
   }
-  auto steps = moves(v_, 1, 2 * block / 3);  // for a median to a per cent
-  std::erase(steps, 0.0);                    // of rounded or stuck values
-  judged_ = judged_ || steps.size() >= fewest_steps;
-  median_step_ = median_of(steps);
+  constexpr double least = std::numeric_limits<double>::min();  // not of rounded or stuck values
+  const Moves steps =
+      moves(v_, 1, 2 * block / 3, least, median_step_);  // for a median to a per cent
+  judged_ = judged_ || steps.count >= fewest_steps;
+  median_step_ = steps.median;
   const auto so_far = static_cast<double>(++blocks_);
   mean_step_ += (median_step_ - mean_step_) / so_far;
   stuck_from_ = std::isinf(quantum_) ? block : v_.size() + 1;
   for (std::size_t i = lags; i-- > 0;) {
-    auto over = moves(v_, std::size_t{1} << i, 512);
-    const double here = median_of(over);
+    const double here = moves(v_, std::size_t{1} << i, 512, 0, mean_move_[i]).median;
     mean_move_[i] += (here - mean_move_[i]) / so_far;
     if (!std::isinf(quantum_) && std::max(here, mean_move_[i]) >= moved * quantum_)
       stuck_from_ = std::max(stuck_at_least, stuck_lags << i);
@@ -195,11 +239,15 @@ void Screen::step(double size) {
 std::size_t Screen::pass(std::size_t i, std::size_t upto) {
   if (constant_ || !good_ || good_at_ + 1 != static_cast<std::ptrdiff_t>(i)) return i;
   const double most = limit(i);
-  double before = *good_;
   std::size_t end = i;
-  for (; end < upto; before = v_[end++]) {
-    const double size = std::abs(v_[end] - before);
-    if (!(std::isgreater(size, 0) && std::islessequal(size, most))) break;
+  const auto usual = [&](double before) {
+    const double size = end < upto ? std::abs(v_[end] - before) : 0;
+    return std::isgreater(size, 0) && std::islessequal(size, most);
+  };
+  if (usual(*good_)) {
+    ++end;
+    end += usual_steps(v_.data() + end, upto - end, most);
+    while (usual(v_[end - 1])) ++end;
   }
   // One from which the next does not differ may begin a run of equal ones.
   if (end > i && end < v_.size() && v_[end] == v_[end - 1]) --end;
@@ -321,8 +369,8 @@ std::size_t Screen::judge_level(std::size_t i) {
     steps.push_back(std::abs(v_[j] - before));
     before = v_[j];
   }
-  const bool at_once = std::abs(entry) >= 0.5 * median_of(off);
-  if (!at_once || median_of(steps) > 0.25 * std::abs(entry)) return accept(i);
+  const bool at_once = std::abs(entry) >= 0.5 * num::upper_median(off);
+  if (!at_once || num::upper_median(steps) > 0.25 * std::abs(entry)) return accept(i);
   const std::size_t end = end_of_jump(i);
   if (end > i) {
     double largest = entry;

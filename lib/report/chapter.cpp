@@ -17,6 +17,7 @@
 #include <railbook/report/run_folder.hpp>
 #include <railbook/report/timing_lock.hpp>
 #include <railbook/report/trial.hpp>
+#include <railbook/table/csv.hpp>
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
@@ -25,6 +26,7 @@ namespace {
 struct PagedEntry {
   const Entry* entry;
   const char* page;
+  std::string title = entry->title;
 };
 
 struct ReproduceOptions {
@@ -108,6 +110,29 @@ std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
   return all;
 }
 
+// Gives the entries that have no title of their own the caption of data/captions.csv. Throws
+// InputError unless each of these has one row there, and no other item has any.
+void read_captions(const std::filesystem::path& sources, std::vector<PagedEntry>& entries) {
+  const std::filesystem::path file = sources / "data" / "captions.csv";
+  if (std::filesystem::exists(file)) {
+    const table::CsvTable captions = table::read_table(file);
+    for (std::size_t row = 0; row < captions.rows.size(); ++row) {
+      const std::string &id = captions.at(row, "item"), &caption = captions.at(row, "caption");
+      const auto e = std::ranges::find_if(
+          entries, [&](const PagedEntry& entry) { return entry.entry->id == id; });
+      if (e == entries.end() || !e->title.empty())
+        throw InputError{fmt::format(
+            "file \"{}\", row {}: item is \"{}\"; allowed: an item of the chapter, once",
+            file.string(), row + 1, id)};
+      e->title = caption;
+    }
+  }
+  for (const PagedEntry& e : entries)
+    if (e.title.empty())
+      throw InputError{
+          fmt::format("file \"{}\": item {} has no caption", file.string(), e.entry->id)};
+}
+
 // Whether the world outside let it: a figure that gnuplot does not draw fails its item, a disk that
 // is full ends the run.
 bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
@@ -115,7 +140,7 @@ bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
   const WorkSlot work;
   const num::Stopwatch watch;
   const double waited = seconds_waited();
-  Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
+  Item item{e.entry->id, e.entry->kind, e.title, settings};
   try {
     {
       const num::FpFlags flags;
@@ -148,6 +173,7 @@ std::vector<Row> declared(const ChapterInfo& info, const char* name,
   const std::filesystem::path file = info.sources / "data" / name;
   if (!std::filesystem::exists(file)) return {};
   std::vector<std::string> items;
+  items.reserve(entries.size());
   for (const PagedEntry& e : entries) items.push_back(e.entry->id);
   return read(file, items);
 }
@@ -229,6 +255,12 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
 
 }  // namespace
 
+Entry table(std::string id, ItemFunction compute) {
+  return table(std::move(id), "", std::move(compute));
+}
+Entry figure(std::string id, ItemFunction compute) {
+  return figure(std::move(id), "", std::move(compute));
+}
 Entry table(std::string id, std::string title, ItemFunction compute) {
   return {std::move(id), "table", std::move(title), std::move(compute)};
 }
@@ -266,11 +298,12 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   app.add_subcommand("list", "name the tables and figures");
 
   try {
-    const std::vector<PagedEntry> entries = in_order(paper, study);
+    std::vector<PagedEntry> entries = in_order(paper, study);
     app.parse(argc, argv);
+    read_captions(info.sources, entries);
     if (*reproduce_command) return reproduce(options, info, entries);
     for (const PagedEntry& e : entries)  // list
-      fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
+      fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.title);
     return 0;
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -1,7 +1,7 @@
 // A chapter program: named tables and figures behind one command line.
 //
-//   const report::Section example_1{report::figure("fig-06", "Wheel and rail in contact", fig_06),
-//                                   report::table("table-2", "Hertz and COUNTACT", table_2)};
+//   const report::Section example_1{report::figure("fig-06", fig_06),
+//                                   report::table("table-2", table_2)};
 //
 //   int main(int argc, char** argv) {
 //     return report::run(argc, argv,
@@ -39,7 +39,11 @@ struct Entry {
   std::string id, kind, title;
   ItemFunction compute;
 };
+// The caption of an item stands in data/captions.csv, under `item` and `caption`, or here as
+// `title`.
+Entry table(std::string id, ItemFunction compute);
 Entry table(std::string id, std::string title, ItemFunction compute);
+Entry figure(std::string id, ItemFunction compute);
 Entry figure(std::string id, std::string title, ItemFunction compute);
 
 // The items of one file, in reading order. A costly result that several share belongs in a

@@ -249,25 +249,31 @@ Trial Item::trial(std::string_view id, std::string quantity, std::string format,
 }
 
 void Item::claims(const std::vector<FoundClaim>& found) {
-  for (const FoundClaim& f : found) {
-    const std::string check = fmt::format("{}/{}", record_.id, f.id);
-    const auto row = std::find_if(settings_.claims.begin(), settings_.claims.end(),
-                                  [&](const ClaimRow& r) { return r.check == check; });
-    if (row == settings_.claims.end())
-      throw std::logic_error{"data/claims.csv has no row of the check " + check};
-    if (row->holds.empty() && !f.trial)
-      throw std::logic_error{check + ": a claim without a bound and without a trial cannot fail"};
-    const bool pass = holds(*row, f.numbers);
-    CheckRecord& c = judge_claim(f.id, row->claim, pass, row->outcome, found_text(*row, f.numbers));
-    if (row->outcome == Outcome::verified) {
-      c.source = name(Source::route);
-      c.by = row->why;
-    } else {
-      c.why = row->why;
-    }
-    if (f.trial) apply(*f.trial, c);
-    ++checked_claims_;
+  for (const FoundClaim& f : found) judge_row(f);
+}
+
+void Item::claim_if(std::string_view id, bool it_holds, std::vector<double> numbers) {
+  judge_row({id, std::move(numbers)}, it_holds);
+}
+
+void Item::judge_row(const FoundClaim& f, std::optional<bool> condition) {
+  const std::string check = fmt::format("{}/{}", record_.id, f.id);
+  const auto row = std::find_if(settings_.claims.begin(), settings_.claims.end(),
+                                [&](const ClaimRow& r) { return r.check == check; });
+  if (row == settings_.claims.end())
+    throw std::logic_error{"data/claims.csv has no row of the check " + check};
+  if (row->holds.empty() && !f.trial && !condition)
+    throw std::logic_error{check + ": a claim without a bound and without a trial cannot fail"};
+  const bool pass = condition.value_or(true) && holds(*row, f.numbers);
+  CheckRecord& c = judge_claim(f.id, row->claim, pass, row->outcome, found_text(*row, f.numbers));
+  if (row->outcome == Outcome::verified) {
+    c.source = name(Source::route);
+    c.by = row->why;
+  } else {
+    c.why = row->why;
   }
+  if (f.trial) apply(*f.trial, c);
+  ++checked_claims_;
 }
 
 void Item::claim(std::string_view id, std::string_view what, const Trial& trial,

@@ -25,6 +25,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -193,6 +194,8 @@ class Item {
                   std::string_view computed);
   // The statements that data/claims.csv has of this item, in words, from the numbers found.
   void claims(const std::vector<FoundClaim>& found);
+  // One of them that holds on a condition which is no interval of a number; the row has none then.
+  void claim_if(std::string_view id, bool it_holds, std::vector<double> numbers = {});
   // source claim: a statement of the paper in words; `measured` says what was found.
   void claim(std::string_view id, std::string_view what, bool it_holds, std::string measured = "");
   // The same, and it must hold in each variation: the claim's own condition is its trial.
@@ -277,6 +280,7 @@ class Item {
                     const Expectation& expectation, const std::string& by);
   CheckRecord& judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
                            std::string measured);
+  void judge_row(const FoundClaim& found, std::optional<bool> condition = {});
   void add_cells(std::initializer_list<Cell> cells);
   void from(std::string input, std::string why);
   void draw();

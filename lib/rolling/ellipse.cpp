@@ -36,20 +36,72 @@ void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::Vector
   }
 }
 
+// `s` of the cells of `old`, on those of `grid`.
+StickSlip carried(const StickSlip& s, const RollingGrid& old, double unit,
+                  const RollingGrid& grid) {
+  const RollingMesh &from = old.mesh, &to = grid.mesh;
+  const Index n = to.cells(), m = from.cells();
+  StickSlip start;
+  start.p.setZero(2 * n);
+  start.slides.assign(static_cast<std::size_t>(n), false);
+  for (Index j = 0; j < to.rows(); ++j) {
+    const double across = (to.y[j] / unit - from.y[0]) / from.dy[0];
+    const auto below = static_cast<Index>(std::floor(across));
+    for (Index i = 0; i < to.along; ++i) {
+      const Index k = j * to.along + i;
+      if (grid.bound[k] <= 0) continue;
+      double sum = 0, slides = 0, x = 0, y = 0;
+      for (const Index row : {below, below + 1}) {
+        if (row < 0 || row >= from.rows()) continue;
+        const double along = (to.x(j, i) / unit - from.x0[row]) / from.dx[row];
+        const auto behind = static_cast<Index>(std::floor(along));
+        for (const Index column : {behind, behind + 1}) {
+          const Index c = row * from.along + column;
+          if (column < 0 || column >= from.along || old.bound[c] <= 0) continue;
+          const double weight = (1 - std::abs(across - static_cast<double>(row))) *
+                                (1 - std::abs(along - static_cast<double>(column)));
+          sum += weight;
+          x += weight * s.p[c] / old.bound[c], y += weight * s.p[c + m] / old.bound[c];
+          if (s.slides[static_cast<std::size_t>(c)]) slides += weight;
+        }
+      }
+      if (!(sum > 0)) continue;
+      start.p[k] = grid.bound[k] * x / sum, start.p[k + n] = grid.bound[k] * y / sum;
+      start.slides[static_cast<std::size_t>(k)] = slides > 0.5 * sum;
+    }
+  }
+  return start;
+}
+
 }  // namespace
 
-StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
-                   const Creepage& reduced, const RollingOptions& options, const StickSlip* start,
-                   const Eigen::VectorXd* driven) {
+StickSlipPair carried(const StickSlipPair& from, const RollingGrid& old, double unit,
+                      const RollingGrid& grid) {
+  return {carried(from.first, old, unit, grid), carried(from.second, old, unit, grid)};
+}
+
+StickSlipPair solve_pair(const TangentialInfluence& influence, const RollingGrid& grid,
+                         const Creepage& reduced, const RollingOptions& options,
+                         const StickSlipPair* start, const Eigen::VectorXd* driven) {
   Eigen::VectorXd w = rigid_slip(grid.mesh, reduced);
   if (driven) w += *driven;
-  StickSlip first = solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, start);
-  if (!first.converged || !options.remedy) return first;
-  turn_sliding(grid, first, w);
-  StickSlip second = solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, &first);
-  second.newton += first.newton;
-  second.products += first.products;
-  return second;
+  const auto solve = [&](const StickSlip* from) {
+    return solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, from);
+  };
+  StickSlipPair found;
+  found.first = solve(start ? &start->first : nullptr);
+  if (!found.first.converged || !options.remedy) {
+    found.second = found.first;
+    return found;
+  }
+  turn_sliding(grid, found.first, w);
+  // What the turn changed before it will change again.
+  StickSlip turned = found.first;
+  if (start) turned.p += start->second.p - start->first.p;
+  found.second = solve(&turned);
+  found.second.newton += found.first.newton;
+  found.second.products += found.first.products;
+  return found;
 }
 
 Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p) {
@@ -168,33 +220,6 @@ CreepForces without_friction() {
 
 namespace {
 
-// The solution of a grid as a start on a finer one: each cell takes the share of its bound of the
-// old cell it lies on, or next to.
-StickSlip refined(const StickSlip& coarse, const RollingGrid& from, const RollingGrid& to) {
-  StickSlip start;
-  const Index n = to.mesh.cells(), m = from.mesh.cells(), last = from.mesh.along - 1;
-  start.p.setZero(2 * n);
-  start.slides.assign(static_cast<std::size_t>(n), false);
-  for (Index j = 0; j < to.mesh.rows(); ++j) {
-    const Index row = (2 * j + 1) * from.mesh.rows() / (2 * to.mesh.rows());
-    const auto bounds = from.bound.segment(row * (last + 1), last + 1);
-    const Index first = last + 1 - (bounds.array() > 0).count();
-    for (Index i = 0; i < to.mesh.along; ++i) {
-      const Index k = j * to.mesh.along + i;
-      if (to.bound[k] <= 0) continue;
-      const double place = (to.mesh.x(j, i) - from.mesh.x0[row]) / from.mesh.dx[row];
-      const Index old =
-          row * (last + 1) +
-          std::clamp(static_cast<Index>(std::lround(std::max(place, -1.0))), first, last);
-      const double ratio = to.bound[k] / from.bound[old];
-      start.p[k] = ratio * coarse.p[old];
-      start.p[k + n] = ratio * coarse.p[old + m];
-      start.slides[static_cast<std::size_t>(k)] = coarse.slides[static_cast<std::size_t>(old)];
-    }
-  }
-  return start;
-}
-
 struct Level {
   RollingGrid grid;
   TangentialInfluence influence;
@@ -255,16 +280,16 @@ CreepForces EllipseRolling::solve(const RollingCase& c) const {
   if (c.friction == 0) return without_friction();
   const Level* before = nullptr;
   Resultants coarse;
-  StickSlip found;
+  StickSlipPair found;
   for (const Level& level : parts_->levels) {
-    const auto solved = [&](const StickSlip* start) {
-      return solve_on(level.influence, level.grid, reduced, parts_->options, start);
+    const auto solved = [&](const StickSlipPair* start) {
+      return solve_pair(level.influence, level.grid, reduced, parts_->options, start);
     };
-    if (before && found.converged) {
-      coarse = resultants(before->grid.mesh, found.p);
-      const StickSlip start = refined(found, before->grid, level.grid);
+    if (before && found.second.converged) {
+      coarse = resultants(before->grid.mesh, found.second.p);
+      const StickSlipPair start = carried(found, before->grid, 1, level.grid);
       found = solved(&start);
-      if (!found.converged) found = solved(nullptr);
+      if (!found.second.converged) found = solved(nullptr);
     } else {
       before = nullptr;
       found = solved(nullptr);
@@ -272,7 +297,7 @@ CreepForces EllipseRolling::solve(const RollingCase& c) const {
     if (&level != &parts_->levels.back()) before = &level;
   }
   const RollingGrid& grid = parts_->levels.back().grid;
-  CreepForces out = in_units(grid, found, force, length);
+  CreepForces out = in_units(grid, found.second, force, length);
   const RollingOptions& o = parts_->options;
   const bool halved = o.remedy && o.along >= 16 && o.along % 2 == 0 && o.rows % 2 == 0;
   if (before) extrapolate(out, grid, coarse, halved, force, length);

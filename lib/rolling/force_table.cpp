@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double bend = 0.5;  // reduced creepages below it lie evenly, above it ever wider
 
 double stretched(double u, double reach) {
@@ -35,21 +37,6 @@ std::vector<double> ratio_nodes(double from, double to, int n) {
                     : i == n - 1     ? to
                                      : from * std::pow(to / from, double(i) / (n - 1)));
   return nodes;
-}
-
-// The interval of `nodes` with x, and the weight of its upper end, in the coordinate `of` is even
-// in.
-struct Place {
-  std::size_t low = 0, high = 0;
-  double weight = 0;
-};
-template <class Of>
-Place place(const std::vector<double>& nodes, double x, Of of) {
-  if (!(x > nodes.front())) return {0, 0, 0};
-  if (!(x < nodes.back())) return {nodes.size() - 1, nodes.size() - 1, 0};
-  const auto high = static_cast<std::size_t>(std::ranges::upper_bound(nodes, x) - nodes.begin());
-  const double low = of(nodes[high - 1]);
-  return {high - 1, high, (of(x) - low) / (of(nodes[high]) - low)};
 }
 
 double along_creepage(double x) {
@@ -90,30 +77,92 @@ ForceTable::ForceTable(const ForceTableAxes& axes, const ShareTheory& theory) {
       for (const double y : y_)
         for (const double z : z_) values_.push_back(shares({x, y, z}));
   }
+  std::size_t stride = 1;
+  const auto axis = [&](const std::vector<double>& nodes, auto along) {
+    const double first = along(nodes.front()), length = along(nodes.back()) - first;
+    const Axis found{first, length > 0 ? double(nodes.size() - 1) / length : 0, nodes.size(),
+                     stride};
+    stride *= nodes.size();
+    return found;
+  };
+  axes_[3] = axis(z_, along_creepage);
+  axes_[2] = axis(y_, along_creepage);
+  axes_[1] = axis(x_, along_creepage);
+  axes_[0] = axis(ratio_, [](double ratio) { return std::log(ratio); });
+  find_bounds();
+}
+
+// An even parabola is off its chord by an eighth of its second difference at most.
+void ForceTable::find_bounds() {
+  bounds_.resize(values_.size());
+  for (std::size_t n = 0; n < values_.size(); ++n)
+    for (const Axis& axis : axes_) {
+      if (axis.nodes == 1) continue;
+      if (axis.nodes == 2) {  // no second difference tells how far the theory is from a line
+        bounds_[n] = {infinity, infinity};
+        break;
+      }
+      const std::size_t k = n / axis.stride % axis.nodes;
+      const std::size_t middle = std::clamp<std::size_t>(k, 1, axis.nodes - 2);
+      const std::size_t m = n + middle * axis.stride - k * axis.stride;
+      const ForceShares &a = values_[m - axis.stride], &b = values_[m],
+                        &c = values_[m + axis.stride];
+      bounds_[n].force += std::hypot(a.fx - 2 * b.fx + c.fx, a.fy - 2 * b.fy + c.fy) / 4;
+      bounds_[n].moment += std::abs(a.mz - 2 * b.mz + c.mz) / 4;
+    }
+}
+
+ForceTable::Cell ForceTable::cell(double axis_ratio, const Creepage& reduced) const {
+  Cell found;
+  found.turn_x = reduced.longitudinal < 0 ? -1 : 1;
+  found.turn_y = reduced.lateral < 0 ? -1 : 1;
+  const std::array at{std::log(axis_ratio), along_creepage(found.turn_x * reduced.longitudinal),
+                      along_creepage(found.turn_y * reduced.lateral),
+                      along_creepage(found.turn_y * reduced.spin)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Axis& axis = axes_[k];
+    const double last = double(axis.nodes - 1);
+    const double place = (at[k] - axis.first) * (axis.nodes > 1 ? axis.steps_per_unit : 1);
+    if (!(place >= -1e-9 && place <= last + 1e-9)) found.outside = true;
+    const double held = place > 0 ? std::min(place, last) : 0;
+    const auto low = static_cast<std::size_t>(std::min(held, std::max(last - 1, 0.0)));
+    found.corner += low * axis.stride;
+    found.weight[k] = held - double(low);
+  }
+  return found;
 }
 
 ForceShares ForceTable::at(double axis_ratio, const Creepage& reduced) const {
-  const double turn_x = reduced.longitudinal < 0 ? -1 : 1, turn_y = reduced.lateral < 0 ? -1 : 1;
-  const std::array places{place(ratio_, axis_ratio, [](double r) { return std::log(r); }),
-                          place(x_, turn_x * reduced.longitudinal, along_creepage),
-                          place(y_, turn_y * reduced.lateral, along_creepage),
-                          place(z_, turn_y * reduced.spin, along_creepage)};
+  const Cell c = cell(axis_ratio, reduced);
   ForceShares sum;
-  for (int corner = 0; corner < 16; ++corner) {
+  for (unsigned corner = 0; corner < 16; ++corner) {
     double weight = 1;
-    std::array<std::size_t, 4> n{};
+    std::size_t n = c.corner;
     for (std::size_t k = 0; k < 4; ++k) {
-      const bool high = (corner >> k & 1) != 0;
-      weight *= high ? places[k].weight : 1 - places[k].weight;
-      n[k] = high ? places[k].high : places[k].low;
+      const bool high = (corner >> k & 1U) != 0;
+      weight *= high ? c.weight[k] : 1 - c.weight[k];
+      n += high ? axes_[k].stride : 0;
     }
-    if (weight == 0) continue;
-    const ForceShares& value = node(n[0], n[1], n[2], n[3]);
-    sum.fx += weight * value.fx;
-    sum.fy += weight * value.fy;
-    sum.mz += weight * value.mz;
+    if (weight == 0) continue;  // also beyond the last node
+    sum.fx += weight * values_[n].fx;
+    sum.fy += weight * values_[n].fy;
+    sum.mz += weight * values_[n].mz;
   }
-  return {turn_x * sum.fx, turn_y * sum.fy, turn_y * sum.mz};
+  return {c.turn_x * sum.fx, c.turn_y * sum.fy, c.turn_y * sum.mz};
+}
+
+InterpolationBound ForceTable::bound(double axis_ratio, const Creepage& reduced) const {
+  const Cell c = cell(axis_ratio, reduced);
+  if (c.outside) return {infinity, infinity};
+  InterpolationBound worst;
+  for (unsigned corner = 0; corner < 16; ++corner) {
+    std::size_t n = c.corner;
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((corner >> k & 1U) != 0 && axes_[k].nodes > 1) n += axes_[k].stride;
+    worst.force = std::max(worst.force, bounds_[n].force);
+    worst.moment = std::max(worst.moment, bounds_[n].moment);
+  }
+  return worst;
 }
 
 InterpolationError ForceTable::error(const ShareTheory& theory, int points) const {
@@ -136,6 +185,9 @@ InterpolationError ForceTable::error(const ShareTheory& theory, int points) cons
       const ForceShares exact = shares(reduced), table = at(ratio, reduced);
       const double force = std::hypot(table.fx - exact.fx, table.fy - exact.fy);
       const double moment = std::abs(table.mz - exact.mz);
+      const InterpolationBound stated = bound(ratio, reduced);
+      if (std::isfinite(stated.force) && force <= stated.force && moment <= stated.moment)
+        ++e.within_bound;
       e.largest_force = std::max(e.largest_force, force);
       e.largest_moment = std::max(e.largest_moment, moment);
       forces += force * force;

@@ -2,6 +2,8 @@
 // million times.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -35,6 +37,13 @@ struct InterpolationError {
   double largest_force = 0, rms_force = 0;    // of (fx, fy), as a share of mu N
   double largest_moment = 0, rms_moment = 0;  // of mz, as a share of mu N sqrt(a b)
   int points = 0;
+  int within_bound = 0;  // points whose force and moment are within a finite bound of the table
+};
+
+// How far an interpolated answer may be from the theory.
+struct InterpolationBound {
+  double force = 0;   // of (fx, fy), as a share of mu N
+  double moment = 0;  // of mz, as a share of mu N sqrt(a b)
 };
 
 class ForceTable {
@@ -49,6 +58,13 @@ class ForceTable {
   // the value at its end.
   ForceShares at(double axis_ratio, const Creepage& reduced) const;
 
+  // An estimated bound of the error of at(): twice the error that a parabola through three
+  // neighbouring nodes along each axis would give, added over the axes, at the worst corner of the
+  // cell of nodes. The theory has kinks where the last cell begins to slide;
+  // InterpolationError::within_bound says how often the bound held. Infinite beyond an axis, and
+  // where an axis has two nodes only.
+  InterpolationBound bound(double axis_ratio, const Creepage& reduced) const;
+
   // Against the theory at `points` places drawn evenly in the stretched coordinates, off the nodes;
   // the same ones for the same axes and number of points.
   InterpolationError error(const ShareTheory& theory, int points) const;
@@ -62,9 +78,33 @@ class ForceTable {
     return values_[((ratio * x_.size() + x) * y_.size() + y) * z_.size() + z];
   }
 
+  // Of the node: the largest of the cells about it.
+  const InterpolationBound& node_bound(std::size_t ratio, std::size_t x, std::size_t y,
+                                       std::size_t z) const {
+    return bounds_[((ratio * x_.size() + x) * y_.size() + y) * z_.size() + z];
+  }
+
  private:
+  // An axis in the coordinate in which its nodes are even.
+  struct Axis {
+    double first = 0, steps_per_unit = 0;
+    std::size_t nodes = 0, stride = 0;  // in values_
+  };
+  // The cell of nodes with a place: its first corner, and the weight of the upper one along each
+  // axis.
+  struct Cell {
+    std::size_t corner = 0;
+    std::array<double, 4> weight = {};
+    bool outside = false;
+    double turn_x = 1, turn_y = 1;
+  };
+  Cell cell(double axis_ratio, const Creepage& reduced) const;
+  void find_bounds();
+
   std::vector<double> ratio_, x_, y_, z_;
+  std::array<Axis, 4> axes_;
   std::vector<ForceShares> values_;
+  std::vector<InterpolationBound> bounds_;
 };
 
 // A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1. Calls

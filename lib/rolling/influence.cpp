@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include <railbook/num/fft.hpp>
+#include <railbook/num/frame_fft.hpp>
 #include <railbook/num/quadrature.hpp>
 #include <railbook/rolling/detail/cell_displacements.hpp>
 #include <railbook/rolling/detail/stepped_rows.hpp>
@@ -58,6 +60,22 @@ void fill(const RollingMesh& mesh, double poisson, Response response, Eigen::Ind
       b.yy(i, k) = scale * (u.yy - upstream_part * v.yy);
     }
   }
+}
+
+// The inverses of L and U in one matrix, without pivots: those of the strain tend to a limit, as
+// its symbol has factors, and those of the displacement are positive.
+Eigen::MatrixXd inverse_factors(Eigen::MatrixXd m) {
+  const Eigen::Index n = m.rows();
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    const Eigen::Index rest = n - k - 1;
+    m.col(k).tail(rest) /= m(k, k);
+    m.bottomRightCorner(rest, rest).noalias() -= m.col(k).tail(rest) * m.row(k).tail(rest);
+  }
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(n, n), upper = lower;
+  m.triangularView<Eigen::UnitLower>().solveInPlace(lower);
+  m.triangularView<Eigen::Upper>().solveInPlace(upper);
+  upper.triangularView<Eigen::StrictlyLower>() = lower;
+  return upper;
 }
 
 double log_symbol_ratio(double t) {
@@ -116,11 +134,11 @@ struct TangentialInfluence::Parts {
   RollingMesh mesh;
   double poisson = 0;
   Response response = Response::strain;
-  Eigen::MatrixXd matrix;               // dense, or empty; see fill_matrix
-  std::vector<Eigen::MatrixXd> blocks;  // of the rows, or the one they share
+  Eigen::MatrixXd matrix;  // dense, or empty; see fill_matrix
   std::unique_ptr<SteppedRows> stepped;
-  std::unique_ptr<num::RealFft2d> x, y;
-  std::vector<std::complex<double>> xx, xy, yy;
+  std::unique_ptr<num::FrameFft> fft;
+  std::unique_ptr<num::Workspace> workspace;
+  Eigen::MatrixXcd mean, difference;  // wave numbers across x along; see fill_spectra
 
   void fill_matrix();
   void multiply_matrix(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
@@ -177,59 +195,80 @@ void TangentialInfluence::Parts::multiply_matrix(const Eigen::VectorXd& p,
     }
 }
 
+// Tractions and strains are complex: along and across as real and imaginary part, T and S. With the
+// parts of the influence, S = (xx + yy)/2 T + [(xx - yy)/2 + i xy] conj(T): one product with the
+// spectrum of T, and one with that of its opposite wave's conjugate. xx and yy are even across, xy
+// odd, so that both spectra at (-u, v) are the conjugates of those at (u, v).
 void TangentialInfluence::Parts::fill_spectra() {
   const auto n = static_cast<std::size_t>(mesh.along), rows = static_cast<std::size_t>(mesh.rows());
-  x = std::make_unique<num::RealFft2d>(num::good_fft_size(2 * rows - 1), num::good_fft_size(2 * n));
-  y = std::make_unique<num::RealFft2d>(x->rows(), x->columns());
-  const auto big_rows = x->rows(), columns = x->columns();
+  fft = std::make_unique<num::FrameFft>(rows, n, num::good_frame_size(2 * rows - 1),
+                                        num::good_frame_size(2 * n), 1,
+                                        num::FrameFft::Values::complex);
+  workspace = std::make_unique<num::Workspace>(fft->workspace());
+  const std::size_t big_rows = fft->frame_rows(), columns = fft->frame_columns();
   const double dx = mesh.dx[0], dy = mesh.dy[0];
   const double upstream_part = response == Response::strain ? 1 : 0;
   const double scale = 1 / (units::pi * (response == Response::strain ? dx : 1) *
                             static_cast<double>(big_rows) * static_cast<double>(columns));
   // u at distances -n .. n cells from one cell, the strain at -n .. n - 1.
   std::vector<Influence2> u(2 * n + 1);
-  const auto put = [&](auto part, std::vector<std::complex<double>>& spectrum, bool odd) {
-    std::ranges::fill(x->real(), 0.0);
-    for (std::size_t j = 0; j < rows; ++j) {
-      row_displacements(static_cast<double>(n) * dx, static_cast<double>(j) * dy, dx, dy, poisson,
-                        u);
-      for (std::size_t i = 0; i < 2 * n; ++i) {
-        // u[k] belongs to a cell (k - n) dx downstream of the point: distance of the point n - k.
-        const double value = scale * (u[2 * n - i].*part - upstream_part * u[2 * n - i - 1].*part);
-        const std::size_t column = (i + columns - n) % columns;
-        x->row(j)[column] = value;
-        if (j > 0) x->row(big_rows - j)[column] = odd ? -value : value;
-      }
+  const std::size_t field = rows * columns;
+  // Of the rows j >= 0; the others are their images.
+  std::vector<double> of_mean(2 * field), of_difference(2 * field);
+  for (std::size_t j = 0; j < rows; ++j) {
+    row_displacements(static_cast<double>(n) * dx, static_cast<double>(j) * dy, dx, dy, poisson, u);
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      // u[k] belongs to a cell (k - n) dx downstream of the point: distance of the point n - k.
+      const Influence2 &here = u[2 * n - i], &upstream = u[2 * n - i - 1];
+      const auto part = [&](double Influence2::*of) {
+        return (j > 0 ? 1 : 0.5) * scale * (here.*of - upstream_part * upstream.*of);
+      };
+      const std::size_t to = j * columns + (i + columns - n) % columns;
+      const double xx = part(&Influence2::xx), yy = part(&Influence2::yy);
+      of_mean[to] = (xx + yy) / 2;
+      of_difference[to] = (xx - yy) / 2, of_difference[field + to] = part(&Influence2::xy);
     }
-    x->forward();
-    spectrum.assign(x->spectrum().begin(), x->spectrum().end());
+  }
+  const num::FrameFft of_kernels(rows, columns, big_rows, columns, 1,
+                                 num::FrameFft::Values::complex);
+  num::Workspace space(of_kernels.workspace());
+  const auto transform = [&](const std::vector<double>& kernel, Eigen::MatrixXcd& spectrum) {
+    spectrum.resize(static_cast<Eigen::Index>(big_rows),
+                    static_cast<Eigen::Index>(fft->wave_numbers()));
+    of_kernels.apply(kernel.data(), nullptr, space.data(),
+                     [&](std::size_t wave, double* column, double* opposite) {
+                       const auto as_vector = [&](double* pairs) {
+                         return Eigen::Map<const Eigen::VectorXcd>(
+                             reinterpret_cast<std::complex<double>*>(pairs), spectrum.rows());
+                       };
+                       spectrum.col(static_cast<Eigen::Index>(wave)) =
+                           as_vector(column) + as_vector(opposite).conjugate();
+                     });
   };
-  put(&Influence2::xx, xx, false);
-  put(&Influence2::xy, xy, true);
-  put(&Influence2::yy, yy, false);
+  transform(of_mean, mean);
+  transform(of_difference, difference);
 }
 
 void TangentialInfluence::Parts::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) {
-  const auto n = static_cast<std::size_t>(mesh.along), rows = static_cast<std::size_t>(mesh.rows());
-  const auto load = [&](num::RealFft2d& fft, const double* from) {
-    std::ranges::fill(fft.real(), 0.0);
-    for (std::size_t j = 0; j < rows; ++j) std::copy_n(from + j * n, n, fft.row(j));
-    fft.forward();
-  };
-  load(*x, p.data());
-  load(*y, p.data() + mesh.cells());
-  for (std::size_t k = 0; k < xx.size(); ++k) {
-    const std::complex<double> px = x->spectrum()[k], py = y->spectrum()[k];
-    x->spectrum()[k] = xx[k] * px + xy[k] * py;
-    y->spectrum()[k] = xy[k] * px + yy[k] * py;
-  }
   strain.resize(2 * mesh.cells());
-  const auto unload = [&](num::RealFft2d& fft, double* to) {
-    fft.inverse();
-    for (std::size_t j = 0; j < rows; ++j) std::copy_n(fft.row(j), n, to + j * n);
-  };
-  unload(*x, strain.data());
-  unload(*y, strain.data() + mesh.cells());
+  fft->apply(p.data(), strain.data(), workspace->data(),
+             [&](std::size_t wave, double* column, double* opposite) {
+               const auto u = static_cast<Eigen::Index>(wave);
+               const Eigen::Index size = mean.rows();
+               const auto* s = reinterpret_cast<const double*>(mean.col(u).data());
+               const auto* d = reinterpret_cast<const double*>(difference.col(u).data());
+               // Of a column that is its own opposite a half does for all.
+               const Eigen::Index count = column == opposite ? size / 2 + 1 : size;
+               for (Eigen::Index v = 0, w = 0; v < count; ++v, w = size - v) {
+                 double *a = column + 2 * v, *b = opposite + 2 * w;
+                 const double *k = s + 2 * v, *m = d + 2 * v, *n = d + 2 * w;
+                 const double ax = a[0], ay = a[1], bx = b[0], by = b[1];
+                 b[0] = k[0] * bx + k[1] * by + n[0] * ax - n[1] * ay;
+                 b[1] = k[0] * by - k[1] * bx - n[0] * ay - n[1] * ax;
+                 a[0] = k[0] * ax - k[1] * ay + m[0] * bx + m[1] * by;
+                 a[1] = k[0] * ay + k[1] * ax - m[0] * by + m[1] * bx;
+               }
+             });
 }
 
 TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
@@ -252,8 +291,7 @@ TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson
       std::min<Eigen::Index>(uniform || stepped ? 1 : mesh.rows(), mesh.rows());
   for (Eigen::Index row = 0; row < kinds; ++row) {
     fill(mesh, poisson, response, row, row, b);
-    parts_->blocks.emplace_back(2 * mesh.along, 2 * mesh.along);
-    parts_->blocks.back() << b.xx, b.xy, b.xy, b.yy;
+    rows_.push_back({b.xx, b.yy, inverse_factors(b.xx), inverse_factors(b.yy)});
   }
 }
 TangentialInfluence::~TangentialInfluence() = default;
@@ -269,8 +307,11 @@ void TangentialInfluence::apply(const Eigen::VectorXd& p, Eigen::VectorXd& strai
     parts_->multiply(p, strain);
 }
 
-const Eigen::MatrixXd& TangentialInfluence::row_block(Eigen::Index row) const {
-  return parts_->blocks[parts_->blocks.size() == 1 ? 0 : static_cast<std::size_t>(row)];
+void TangentialInfluence::approximate(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const {
+  if (parts_->stepped)
+    parts_->stepped->approximate(p, strain);
+  else
+    apply(p, strain);
 }
 
 }  // namespace railbook::rolling

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace railbook::rolling {
 
@@ -53,12 +55,23 @@ class TangentialInfluence {
 
   // The response at every cell: p and strain are [x parts; y parts], 2 cells() long, row by row.
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
-  // The part of `apply` from row `row` on itself, 2 along x 2 along.
-  const Eigen::MatrixXd& row_block(Eigen::Index row) const;
+  // The same to 1e-6 of the largest, of a stepped mesh in half the time; of others apply().
+  void approximate(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
+  // The part of `apply` from a row on itself, along x along each: of tractions along on the
+  // response along, and of those across on that across; on one another they have none. With the
+  // inverses of the factors L and U of both in one matrix, L's without its diagonal of ones: their
+  // leading parts are those of any run of cells.
+  struct Row {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> xx, yy, inverse_xx,
+        inverse_yy;
+  };
+  const Row& row(Eigen::Index row) const { return rows_[rows_.size() == 1 ? 0 : std::size_t(row)]; }
+  bool rows_alike() const { return rows_.size() == 1; }
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
+  std::vector<Row> rows_;  // or the one that they share
 };
 
 }  // namespace railbook::rolling

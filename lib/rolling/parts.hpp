@@ -46,11 +46,25 @@ Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 // Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its
 // middle, and a sliding cell should slide along the slip in its middle: where the slip turns, the
 // two differ by first order. A second solution, started from the first, adds what turns the slip of
-// each sliding cell into the mean with that of the cell behind it (with `remedy`). `driven` is slip
-// beside that of the creepages. Both solutions, and so the forces, are continuous in the creepages.
-StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
-                   const Creepage& reduced, const RollingOptions& options,
-                   const StickSlip* start = nullptr, const Eigen::VectorXd* driven = nullptr);
+// each sliding cell into the mean with that of the cell behind it (with `remedy`; without it the
+// second is the first). `driven` is slip beside that of the creepages. Both solutions, and so the
+// forces, are continuous in the creepages.
+struct StickSlipPair {
+  StickSlip first, second;
+};
+StickSlipPair solve_pair(const TangentialInfluence& influence, const RollingGrid& grid,
+                         const Creepage& reduced, const RollingOptions& options,
+                         const StickSlipPair* start = nullptr,
+                         const Eigen::VectorXd* driven = nullptr);
+inline StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
+                          const Creepage& reduced, const RollingOptions& options) {
+  return solve_pair(influence, grid, reduced, options).second;
+}
+// A solution as a start on other cells, of a contact much alike: shares of the bounds, linear
+// between the cells, whose rows are evenly spaced. `unit` is the old unit of length over the new
+// one.
+StickSlipPair carried(const StickSlipPair& from, const RollingGrid& old, double unit,
+                      const RollingGrid& grid);
 
 struct Resultants {
   double fx = 0, fy = 0, mz = 0;

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <railbook/rolling/parts.hpp>
 #include <railbook/rolling/unlike_materials.hpp>
@@ -66,36 +68,78 @@ void halve(contact::Grid& cells, Eigen::VectorXd& p) {
   p = sum;
 }
 
-StickSlip solve_given(const Given& g, const RollingCase& c, const RollingOptions& options,
-                      double dissimilarity) {
-  const TangentialInfluence influence(g.grid.mesh, c.poisson, g.grid.mesh.cells() <= 400);
-  if (dissimilarity == 0) return solve_on(influence, g.grid, g.reduced(c), options);
-  const Eigen::VectorXd driven = driven_slip(g.grid.mesh, g.grid.bound / c.friction, dissimilarity);
-  return solve_on(influence, g.grid, g.reduced(c), options, nullptr, &driven);
-}
-
 }  // namespace
 
-CreepForces solve_rolling_unlike(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+struct RollingSeries::Parts {
+  std::shared_ptr<const TangentialInfluence> influence;
+  double poisson = 0;
+  Given given;  // of the last solution
+  StickSlipPair found;
+
+  const StickSlip& solve(Given g, const RollingCase& c, const RollingOptions& options,
+                         double dissimilarity);
+};
+
+// The influence on strains depends on the shape of the cells, not on their size.
+const StickSlip& RollingSeries::Parts::solve(Given g, const RollingCase& c,
+                                             const RollingOptions& options, double dissimilarity) {
+  const RollingMesh &mesh = g.grid.mesh, &last = given.grid.mesh;
+  const bool again = influence && poisson == c.poisson && mesh.along == last.along &&
+                     mesh.rows() == last.rows() &&
+                     std::abs(mesh.dx[0] * last.dy[0] / (mesh.dy[0] * last.dx[0]) - 1) < 1e-13;
+  if (!again) influence = std::make_shared<TangentialInfluence>(mesh, c.poisson, false);
+  poisson = c.poisson;
+  Eigen::VectorXd driven;
+  if (dissimilarity != 0) driven = driven_slip(mesh, g.grid.bound / c.friction, dissimilarity);
+  const auto solved = [&](const StickSlipPair* start) {
+    return solve_pair(*influence, g.grid, g.reduced(c), options, start,
+                      dissimilarity != 0 ? &driven : nullptr);
+  };
+  if (found.second.converged) {
+    const StickSlipPair start = carried(found, given.grid, given.length / g.length, g.grid);
+    found = solved(&start);
+  }
+  if (!found.second.converged) found = solved(nullptr);
+  given = std::move(g);
+  return found.second;
+}
+
+RollingSeries::RollingSeries() : parts_(std::make_unique<Parts>()) {}
+RollingSeries::~RollingSeries() = default;
+RollingSeries::RollingSeries(const RollingSeries& s) : parts_(std::make_unique<Parts>(*s.parts_)) {}
+RollingSeries& RollingSeries::operator=(RollingSeries&&) noexcept = default;
+
+CreepForces RollingSeries::solve(const contact::Grid& grid, const Eigen::VectorXd& pressure,
                                  const RollingCase& c, const RollingOptions& options,
                                  double dissimilarity) {
   check_given(grid, pressure, c);
   units::require_between("dissimilarity K", dissimilarity, -0.5, 0.5);
-  const Given given = placed(grid, pressure, options.remedy);
+  const Given fine = placed(grid, pressure, options.remedy);
   if (c.friction == 0) return without_friction();
-  const StickSlip fine = solve_given(given, c, options, dissimilarity);
-  CreepForces out = in_units(given.grid, fine, c.friction * given.load, given.length);
-  if (!options.estimate || grid.nx < 4) return out;
-  contact::Grid half = grid;
-  Eigen::VectorXd p = pressure;
-  halve(half, p);
-  const Given coarse = placed(half, p, options.remedy);
-  const StickSlip rough = solve_given(coarse, c, options, dissimilarity);
-  if (!rough.converged) return out;
-  Resultants r = resultants(coarse.grid.mesh, rough.p);
-  r.mz *= coarse.length / given.length;
-  estimate(out, given.grid, r, c.friction * given.load, given.length);
+  const double force = c.friction * fine.load;
+  const bool estimated = options.estimate && grid.nx >= 4;
+  Given coarse;
+  Resultants r;
+  if (estimated) {
+    contact::Grid half = grid;
+    Eigen::VectorXd p = pressure;
+    halve(half, p);
+    coarse = placed(half, p, options.remedy);
+    const StickSlip& rough = parts_->solve(coarse, c, options, dissimilarity);
+    r = resultants(coarse.grid.mesh, rough.p);
+    r.mz *= coarse.length / fine.length;
+  }
+  const bool known = estimated && parts_->found.second.converged;
+  CreepForces out =
+      in_units(fine.grid, parts_->solve(fine, c, options, dissimilarity), force, fine.length);
+  if (known) estimate(out, fine.grid, r, force, fine.length);
   return out;
+}
+
+CreepForces solve_rolling_unlike(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+                                 const RollingCase& c, const RollingOptions& options,
+                                 double dissimilarity) {
+  return RollingSeries{}.solve(grid, pressure, c, options, dissimilarity);
 }
 
 CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pressure,

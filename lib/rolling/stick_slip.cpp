@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <railbook/num/dense_lu.hpp>
 #include <railbook/num/gmres.hpp>
@@ -22,7 +23,9 @@ class Newton {
 
  private:
   bool slides(Index c) const { return result_.slides[static_cast<std::size_t>(c)]; }
-  double norm_p(Index c) const { return std::hypot(result_.p[c], result_.p[c + n_]); }
+  double norm_p(Index c) const { return norm(result_.p[c], result_.p[c + n_]); }
+  // Quicker than std::hypot, which minds overflow.
+  static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
 
   StickSlip at_rest() {
     result_.p.setZero();
@@ -45,8 +48,8 @@ class Newton {
     double worst = 0;
     for (Index c = 0; c < n_; ++c) {
       if (g_[c] <= 0) continue;
-      worst = std::max(
-          worst, slides(c) ? std::abs(across(slip_, c)) : std::hypot(slip_[c], slip_[c + n_]));
+      worst =
+          std::max(worst, slides(c) ? std::abs(across(slip_, c)) : norm(slip_[c], slip_[c + n_]));
     }
     return worst;
   }
@@ -86,49 +89,96 @@ class Newton {
   }
   double stiffness(Index c) const { return std::max(0.0, along(c)) / (g_[c] * g_[c]); }
 
-  // The matrix of row `row` on itself in the unknowns; `m` of them.
-  void row_matrix(Index row, Eigen::MatrixXd& wide, Eigen::MatrixXd& small, Index& m) const {
-    const Eigen::MatrixXd& block = influence_.row_block(row);
-    const Index n = mesh_.along;
-    m = 0;
-    for (Index i = 0; i < n; ++i) {
-      const Index c = row * n + i;
-      if (g_[c] <= 0) continue;
-      if (slides(c)) {
-        wide.col(m++) =
-            (result_.p[c] * block.col(n + i) - result_.p[c + n_] * block.col(i)) / g_[c];
-      } else {
-        wide.col(m++) = block.col(i);
-        wide.col(m++) = block.col(n + i);
+  // What row `row` does to itself in its sliding cells.
+  Eigen::MatrixXd sliding_matrix(Index row) const {
+    const TangentialInfluence::Row& own = influence_.row(row);
+    const std::vector<Index>& at = sliding_[static_cast<std::size_t>(row)].cells;
+    const auto size = static_cast<Index>(at.size());
+    Eigen::MatrixXd m(size, size);
+    for (Index k = 0; k < size; ++k) {
+      const Index from = at[static_cast<std::size_t>(k)], i = from % mesh_.along;
+      const double x = result_.p[from] / g_[from], y = result_.p[from + n_] / g_[from];
+      for (Index l = 0; l < size; ++l) {
+        const Index to = at[static_cast<std::size_t>(l)], j = to % mesh_.along;
+        m(l, k) =
+            (result_.p[to + n_] * y * own.xx(j, i) + result_.p[to] * x * own.yy(j, i)) / g_[to];
       }
+      m(k, k) += stiffness(from);
     }
-    for (Index i = 0, k = 0; i < n; ++i) {
-      const Index c = row * n + i;
-      if (g_[c] <= 0) continue;
-      const auto x = wide.row(i).head(m), y = wide.row(n + i).head(m);
-      if (slides(c)) {
-        small.row(k).head(m) = (result_.p[c] * y - result_.p[c + n_] * x) / g_[c];
-        small(k, k) += stiffness(c);
-        ++k;
-      } else {
-        small.row(k++).head(m) = x;
-        small.row(k++).head(m) = y;
+    return m;
+  }
+
+  // The runs of cells that stick, and the sliding cells of each row with their factors: of rows
+  // whose states are as before, those of before are near enough.
+  void factor_rows() {
+    sliding_.resize(static_cast<std::size_t>(mesh_.rows()));
+    runs_.clear();
+    unknowns_ = 0;
+    for (Index row = 0; row < mesh_.rows(); ++row) {
+      Sliding& s = sliding_[static_cast<std::size_t>(row)];
+      s.cells.clear(), s.unknowns.clear();
+      bool runs = false;
+      for (Index i = 0; i < mesh_.along; ++i) {
+        const Index c = row * mesh_.along + i;
+        const bool sticks = g_[c] > 0 && !slides(c);
+        if (sticks) {
+          if (!runs) runs_.push_back({row, i, unknowns_, 0});
+          ++runs_.back().cells, unknowns_ += 2;
+        } else if (g_[c] > 0) {
+          s.cells.push_back(c), s.unknowns.push_back(unknowns_++);
+        }
+        runs = sticks;
       }
+      if (s.cells.empty() || s.cells == s.factored) continue;
+      s.lu.factor(sliding_matrix(row));
+      s.factored = s.cells;
     }
   }
 
-  void factor_rows() {
-    lu_.resize(static_cast<std::size_t>(mesh_.rows()));
-    first_.assign(lu_.size() + 1, 0);
-    Eigen::MatrixXd wide(2 * mesh_.along, 2 * mesh_.along), small = wide;
-    unknowns_ = 0;
-    for (Index row = 0, m = 0; row < mesh_.rows(); ++row) {
-      row_matrix(row, wide, small, m);
-      first_[static_cast<std::size_t>(row)] = unknowns_;
-      unknowns_ += m;
-      if (m > 0) lu_[static_cast<std::size_t>(row)].factor(small.topLeftCorner(m, m));
+  // An approximate inverse, row by row: of each run of sticking cells, along and across for itself,
+  // and of the sliding cells, on which the sticking ones have their influence first.
+  void precondition(const VectorXd& r, VectorXd& z) const {
+    z.resize(r.size());
+    VectorXd line, along(mesh_.along), across(mesh_.along);
+    auto run = runs_.begin();
+    for (Index row = 0; row < mesh_.rows(); ++row) {
+      const TangentialInfluence::Row& own = influence_.row(row);
+      Index first = mesh_.along, last = 0;  // of the sticking cells
+      along.setZero(), across.setZero();
+      for (; run != runs_.end() && run->row == row; ++run) {
+        apply_inverse(own.inverse_xx, r.data() + run->unknown, run->cells, &along[run->first]);
+        apply_inverse(own.inverse_yy, r.data() + run->unknown + 1, run->cells, &across[run->first]);
+        for (Index i = 0; i < run->cells; ++i) {
+          z[run->unknown + 2 * i] = along[run->first + i];
+          z[run->unknown + 2 * i + 1] = across[run->first + i];
+        }
+        first = std::min(first, run->first), last = run->first + run->cells;
+      }
+      const Sliding& s = sliding_[static_cast<std::size_t>(row)];
+      if (s.cells.empty()) continue;
+      line = r(s.unknowns);
+      const Index count = std::max<Index>(last - first, 0);
+      for (std::size_t k = 0; k < s.cells.size(); ++k) {
+        const Index c = s.cells[k], i = c % mesh_.along;
+        line[static_cast<Index>(k)] -=
+            (result_.p[c] * own.yy.row(i).segment(first, count).dot(across.segment(first, count)) -
+             result_.p[c + n_] *
+                 own.xx.row(i).segment(first, count).dot(along.segment(first, count))) /
+            g_[c];
+      }
+      s.lu.solve_in_place(line);
+      z(s.unknowns) = line;
     }
-    first_.back() = unknowns_;
+  }
+
+  // Of as many first cells of a row; of r every second.
+  template <class Factors>
+  static void apply_inverse(const Factors& factors, const double* r, Index cells, double* to) {
+    Eigen::Map<VectorXd> z(to, cells);
+    for (Index i = 0; i < cells; ++i) z[i] = r[2 * i];
+    for (Index i = cells - 1; i > 0; --i) z[i] += factors.row(i).head(i).dot(z.head(i));
+    for (Index i = 0; i < cells; ++i)
+      z[i] = factors.row(i).segment(i, cells - i).dot(z.tail(cells - i));
   }
 
   void step(double relative) {
@@ -136,19 +186,13 @@ class Newton {
     VectorXd dp, strain;
     const auto product = [&](const VectorXd& z, VectorXd& out) {
       spread(z, dp);
-      influence_.apply(dp, strain);
+      influence_.approximate(dp, strain);
       gather(strain, &z, out);
     };
-    const auto precondition = [&](const VectorXd& r, VectorXd& z) {
-      z = r;
-      for (std::size_t row = 0; row < lu_.size(); ++row)
-        if (first_[row + 1] > first_[row])
-          lu_[row].solve_in_place(z.segment(first_[row], first_[row + 1] - first_[row]));
-    };
+    const auto inverse = [&](const VectorXd& r, VectorXd& z) { precondition(r, z); };
     VectorXd right;
     gather(slip_, nullptr, right);
-    const num::Gmres solved =
-        num::gmres(product, precondition, right, relative, options_.most_gmres);
+    const num::Gmres solved = num::gmres(product, inverse, right, relative, options_.most_gmres);
     result_.products += solved.iterations;
     Index k = 0;
     for (Index c = 0; c < n_; ++c) {
@@ -173,8 +217,15 @@ class Newton {
   Index n_ = 0, unknowns_ = 0;
   VectorXd slip_;
   StickSlip result_;
-  std::vector<num::DenseLu> lu_;
-  std::vector<Index> first_;  // of the unknowns, per row
+  struct Run {
+    Index row, first, unknown, cells;
+  };
+  std::vector<Run> runs_;
+  struct Sliding {
+    std::vector<Index> cells, unknowns, factored;
+    num::DenseLu lu;
+  };
+  std::vector<Sliding> sliding_;  // per row
 };
 
 StickSlip Newton::run(const StickSlip* start) {
@@ -184,17 +235,15 @@ StickSlip Newton::run(const StickSlip* start) {
   const double scale = w_.size() ? w_.cwiseAbs().maxCoeff() : 0;
   if (scale == 0 || !(g_.array() > 0).any()) return at_rest();
   long changes = update_slip(scale);
-  double tight = 1e-3;
+  double tight = 3e-2;
   for (; result_.newton < options_.most_newton; ++result_.newton) {
     result_.residual = residual() / scale;
     result_.converged = changes == 0 && result_.residual <= options_.tolerance;
     if (result_.converged) break;
-    step(std::max(tight, 0.1 * options_.tolerance / std::max(result_.residual, 1e-300)));
+    step(std::max(tight, 0.3 * options_.tolerance / std::max(result_.residual, 1e-300)));
     changes = update_slip(scale);
     // Beside what the next change of states or the turning of the tractions undoes, more is wasted.
-    tight = changes > n_ / 50 ? 1e-2
-            : changes > 0     ? 1e-4
-                              : std::clamp(residual() / scale, 1e-10, 1e-4);
+    tight = changes > 0 ? 5e-2 : std::clamp(5 * residual() / scale, 1e-10, 1e-3);
   }
   result_.slip = slip_;
   return std::move(result_);

@@ -30,9 +30,10 @@ struct StickSlip {
 // contact. `start`, if given, holds a guess of p and of the sliding cells of the same size.
 // Newton's method on the active set: unknowns are both tractions of a sticking cell and the angle
 // of a sliding one's; a cell slides when its traction leaves the bound and sticks again when its
-// slip turns against the traction. Each linear system is solved by GMRES, preconditioned by the
-// exact inverses of the rows on themselves. (The states are those of Kalker's TANG, 1990; CONTACT's
-// fast solvers are projected gradients or Gauss-Seidel sweeps instead.)
+// slip turns against the traction. Each linear system is solved by GMRES, preconditioned by what
+// each row does to itself: the factors of its sticking runs, and after them of its sliding cells.
+// (The states are those of Kalker's TANG, 1990; CONTACT's fast solvers are projected gradients or
+// Gauss-Seidel sweeps instead.)
 [[nodiscard]] StickSlip solve_stick_slip(const TangentialInfluence& influence,
                                          const RollingMesh& mesh, const Eigen::VectorXd& bound,
                                          const Eigen::VectorXd& w,

@@ -1,6 +1,8 @@
 // Steady rolling of elastically unlike bodies.
 #pragma once
 
+#include <memory>
+
 #include <railbook/rolling/contact.hpp>
 
 namespace railbook::rolling {
@@ -12,5 +14,21 @@ namespace railbook::rolling {
 CreepForces solve_rolling_unlike(const contact::Grid& grid, const Eigen::VectorXd& pressure,
                                  const RollingCase& c, const RollingOptions& options,
                                  double dissimilarity);
+
+// The same for contacts much alike, one after the other: each solution starts from the last one,
+// whose influence is kept where the cells have its number and shape.
+class RollingSeries {
+ public:
+  RollingSeries();
+  ~RollingSeries();
+  RollingSeries(const RollingSeries&);
+  RollingSeries& operator=(RollingSeries&&) noexcept;
+  CreepForces solve(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+                    const RollingCase& c, const RollingOptions& options, double dissimilarity);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace railbook::rolling

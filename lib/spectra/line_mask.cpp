@@ -22,7 +22,7 @@ constexpr double tail_averages =
     0.8;  // of K: overlapping segments have a heavier tail than a gamma's
 
 // The median of the 16 bins on each side, `skip` bins away, and a tenth for its own scatter.
-double surroundings(const Eigen::ArrayXd& density, Index k) {
+double surroundings(const Eigen::VectorXd& density, Index k) {
   constexpr Index skip = 3, each = 16;
   std::array<double, 2 * each> near{};
   for (Index i = 0; i < each; ++i) {
@@ -80,7 +80,7 @@ std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
     if (near_foreign_line(o, phi) || squared_gain(o.chord, phi) < o.least_gain) continue;
     const double gain = squared_gain(o.chord, phi);
     const double model = std::exp(fit.regression.log_density(std::log(phi)));
-    const double around = std::max(model, surroundings(s.density.array(), k) / gain);
+    const double around = std::max(model, surroundings(s.density, k) / gain);
     const double ratio = s.density[k] / gain / around;
     if (ratio < 2) continue;
     const double chance =

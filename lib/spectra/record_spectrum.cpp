@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double usual_length = 1250;       // m: 4096 ft
 constexpr std::size_t fewest_segments = 4;  // for a scatter that means something
 constexpr double enough = 0.95;             // of the record in segments, its end aside
+constexpr std::size_t without_gap = 32;     // segments: then shorter ones are hardly needed
 
 std::vector<std::size_t> segments_for(double spacing) {
   const double base = std::clamp(std::exp2(std::round(std::log2(usual_length / spacing))), 512.0,
@@ -23,15 +25,22 @@ std::vector<std::size_t> segments_for(double spacing) {
   return {longest, longest / 2, longest / 4, longest / 8};
 }
 
+bool leaves_enough(const Welch& welch, std::size_t present) {
+  return welch.segments() >= fewest_segments &&
+         static_cast<double>(welch.used_samples()) >=
+             enough * static_cast<double>(present - welch.ahead());
+}
+
+std::size_t present(const records::RecordStream& record) {
+  return record.samples() - record.missing();
+}
+
 // The longest that leaves enough of the record, else the one that leaves the most.
 std::size_t best(const std::vector<Welch>& all, std::size_t present) {
   std::size_t most = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::size_t used = all[i].used_samples();
-    if (all[i].segments() >= fewest_segments &&
-        static_cast<double>(used) >= enough * static_cast<double>(present - all[i].ahead()))
-      return i;
-    if (used > all[most].used_samples()) most = i;
+    if (leaves_enough(all[i], present)) return i;
+    if (all[i].used_samples() > all[most].used_samples()) most = i;
   }
   return most;
 }
@@ -98,30 +107,45 @@ class SectionCutter {
 std::vector<RecordSpectrum> record_spectra(const records::RecordFile& file,
                                            const RecordSpectrumOptions& options,
                                            const SpectrumSectionSink& sink) {
-  // At unit spacing while the record streams by; its true spacing is known at the end.
+  // At unit spacing while the record streams by; its true spacing is known at the end. Where the
+  // file can be read again, shorter segments are given up after a long way without a gap.
   std::vector<std::vector<Welch>> all(options.columns.size());
   std::vector<SectionCutter> sections;
-  std::vector<records::RecordSink> sinks;
   for (std::size_t i = 0; i < options.columns.size(); ++i) sections.emplace_back(options, i, sink);
-  for (std::size_t i = 0; i < options.columns.size(); ++i)
-    sinks.push_back([&, i](std::span<const double> piece, const records::RecordStream& record) {
-      const double spacing = record.spacing();
-      if (all[i].empty())
-        for (const std::size_t size :
-             options.segment ? std::vector{*options.segment} : segments_for(spacing))
-          all[i].emplace_back(1.0, WelchOptions{.segment = size, .window = options.window});
-      for (Welch& welch : all[i]) welch.push(piece);
-      sections[i].push(piece, spacing);
-    });
-  auto records = records::read_records(file, options.columns, sinks);
+  const auto read = [&](bool give_up, bool again) {
+    std::vector<records::RecordSink> sinks;
+    for (std::size_t i = 0; i < options.columns.size(); ++i)
+      sinks.push_back([&, i, give_up, again](std::span<const double> piece,
+                                             const records::RecordStream& record) {
+        const double spacing = record.spacing();
+        if (all[i].empty())
+          for (const std::size_t size :
+               options.segment ? std::vector{*options.segment} : segments_for(spacing))
+            all[i].emplace_back(1.0, WelchOptions{.segment = size, .window = options.window});
+        for (Welch& welch : all[i]) welch.push(piece);
+        const Welch& longest = all[i].front();
+        if (give_up && longest.gap_samples() == 0 && longest.segments() >= without_gap)
+          while (all[i].size() > 1) all[i].pop_back();
+        if (!again) sections[i].push(piece, spacing);
+      });
+    return records::read_records(file, options.columns, sinks);
+  };
+  const bool twice = file.file != "-" && std::filesystem::is_regular_file(file.file);
+  auto records = read(twice, false);
+  bool missed = false;
+  for (std::size_t i = 0; i < records.size() && !options.segment; ++i)
+    missed = missed || (all[i].size() == 1 && !leaves_enough(all[i][0], present(*records[i])));
+  if (missed) {
+    for (std::vector<Welch>& lengths : all) lengths.clear();
+    records = read(false, true);
+  }
   std::vector<RecordSpectrum> results;
   results.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     sections[i].finish();
     RecordSpectrum& result = results.emplace_back();
     result.record = std::move(records[i]);
-    const std::size_t present = result.record->samples() - result.record->missing();
-    const std::size_t chosen = best(all[i], present);
+    const std::size_t chosen = best(all[i], present(*result.record));
     result.segment =
         options.segment ? *options.segment : segments_for(result.record->spacing())[chosen];
     if (all[i][chosen].segments() == 0)

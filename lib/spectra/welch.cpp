@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include <railbook/num/pairs.hpp>
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
@@ -209,10 +210,11 @@ Welch::Segment Welch::add_segment(const double* x, double sum, double moment, do
 
 void Welch::weigh(const double* window, const Segment& one, const Segment& other,
                   std::span<std::complex<double>> z) {
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    const auto place = static_cast<double>(i);
-    z[i] = {window[i] * (one.x[i] - (one.start + one.slope * place)),
-            window[i] * (other.x[i] - (other.start + other.slope * place))};
+  const num::Pair start{one.start, other.start}, slope{one.slope, other.slope};
+  num::Pair place{};
+  for (std::size_t i = 0; i < z.size(); ++i, place += 1) {
+    const num::Pair x{one.x[i], other.x[i]}, y = window[i] * (x - (start + slope * place));
+    z[i] = {y[0], y[1]};
   }
 }
 

@@ -1,14 +1,20 @@
 // Cells as numbers.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include <railbook/table/csv.hpp>
 #include <railbook/table/detail/parse_number.hpp>
@@ -29,12 +35,17 @@ const char* add_digits(const char* at, std::uint64_t& number) {
   return at;
 }
 
-// A decimal of at most 15 digits without an exponent, up to the first character that is none of it:
-// its digits and its power of ten are exact doubles, so that one division rounds as std::from_chars
-// does (Clinger 1990). Nothing for what else there is.
-[[gnu::always_inline]] inline const char* short_decimal(const char* at, char mark, double& value) {
-  static constexpr std::array<double, 16> tens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+// Powers of ten, and behind them the same below zero. Digits and such a power are exact doubles, so
+// that one division rounds as std::from_chars does (Clinger 1990).
+constexpr auto tens = [] {
+  std::array<double, 32> powers{1, -1};
+  for (std::size_t i = 0; i < 30; ++i) powers[i + 2] = 10 * powers[i];
+  return powers;
+}();
+
+// A decimal of at most 15 digits without an exponent, up to the first character behind it.
+// Nothing for any other text.
+const char* short_decimal(const char* at, char mark, double& value) {
   const bool negative = *at == '-';
   at += negative ? 1 : 0;
   const char* const first = at;
@@ -50,25 +61,21 @@ const char* add_digits(const char* at, std::uint64_t& number) {
   }
   if (count > 15 || *at == 'e' || *at == 'E') return nullptr;
   value = static_cast<double>(static_cast<std::int64_t>(digits)) /
-          tens[static_cast<std::size_t>(behind)];
-  if (negative) value = -value;
+          tens[2 * static_cast<std::size_t>(behind) + (negative ? 1 : 0)];
   return at;
 }
 
-// Any finite number; what follows it, or nothing. `mark` is its decimal point or comma, or neither.
+// Any finite number; what follows it, or nothing. `mark` is its decimal point or comma.
 const char* long_number(const char* at, const char* end, char mark, double& value) {
   if (*at == '+' && at[1] != '-') ++at;
   std::array<char, 64> text;  // with a point
   const char* from = at;
   if (mark != '.') {
-    std::size_t size = 0;
-    while (size < text.size() && (digit(at[size]) < 10 || at[size] == mark || at[size] == 'e' ||
-                                  at[size] == 'E' || at[size] == '-' || at[size] == '+')) {
-      text[size] = at[size] == mark ? '.' : at[size];
-      ++size;
-    }
-    if (size == text.size()) return nullptr;
-    from = text.data(), end = from + size;
+    if (end - at > std::ssize(text)) return nullptr;
+    end = std::transform(at, end, text.data(), [mark](char c) {
+      return c == mark ? '.' : c == '.' ? mark : c;
+    });
+    from = text.data();
   }
   const auto [stop, status] = std::from_chars(from, end, value);
   return status == std::errc{} && std::isfinite(value) ? at + (stop - from) : nullptr;
@@ -89,6 +96,55 @@ const char* in_two_parts(const char* at, char mark, const TwoParts& parts, doubl
   return behind;
 }
 
+// Which of 16 bytes are this one: a bit each.
+std::uint64_t where(const char* at, char wanted) {
+#ifdef __SSE2__
+  const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
+  const __m128i equal = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(wanted));
+  return static_cast<unsigned>(_mm_movemask_epi8(equal));
+#else
+  std::uint64_t bits = 0;
+  for (unsigned i = 0; i < 16; ++i) bits |= std::uint64_t{at[i] == wanted} << i;
+  return bits;
+#endif
+}
+
+// A cell that is a decimal of at most 15 digits and nothing else, `behind` of them behind a mark,
+// without a branch on what they are. False for what else there is.
+[[gnu::always_inline]] inline bool whole_decimal(const char* at, const char* end, bool marked,
+                                                 std::ptrdiff_t behind, double& value) {
+#ifdef __SSE2__
+  alignas(16) static constexpr auto last = [] {  // from byte i on, the last i of 16
+    std::array<unsigned char, 32> bytes{};
+    std::fill(bytes.begin() + 16, bytes.end(), static_cast<unsigned char>(0xFF));
+    return bytes;
+  }();
+  const auto load = [](const void* from) {
+    return _mm_loadu_si128(static_cast<const __m128i*>(from));
+  };
+  const std::ptrdiff_t negative = *at == '-' ? 1 : 0, mark = marked ? 1 : 0;
+  const auto digits = static_cast<std::size_t>(end - at - negative - mark);
+  if (digits - 1 > 14) return false;
+  // The digits in a row, zeros before them: those before the mark move up to close its place.
+  const __m128i back = load(end - 16), up = load(end - 16 - mark);
+  __m128i d = _mm_xor_si128(up, _mm_and_si128(_mm_xor_si128(up, back), load(&last[behind])));
+  d = _mm_and_si128(_mm_sub_epi8(d, _mm_set1_epi8('0')), load(&last[digits]));
+  const __m128i nine = _mm_set1_epi8(9);
+  if (_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(d, nine), nine)) != 0xFFFF) return false;
+  // Added up to fours, to eights and to all, which is exact.
+  d = _mm_add_epi32(
+      _mm_madd_epi16(_mm_and_si128(d, _mm_set1_epi16(0xFF)), _mm_set1_epi32(0x000A03E8)),
+      _mm_madd_epi16(_mm_srli_epi16(d, 8), _mm_set1_epi32(0x00010064)));
+  d = _mm_madd_epi16(_mm_packs_epi32(d, d), _mm_set1_epi32(0x00012710));
+  const __m128d eights = _mm_mul_pd(_mm_cvtepi32_pd(d), _mm_set_pd(1, 1e8));
+  const double size = _mm_cvtsd_f64(_mm_add_sd(eights, _mm_unpackhi_pd(eights, eights)));
+  value = size / tens[static_cast<std::size_t>(2 * behind + negative)];
+  return true;
+#else
+  return false;
+#endif
+}
+
 // Rows of plain numbers: what is asked for, and how they are written.
 struct PlainRows {
   std::span<const std::size_t> columns;
@@ -96,75 +152,124 @@ struct PlainRows {
   char separator = ',', mark = '.';
   bool undecided = false, point = false;  // whether numbers have a decimal point; one was seen
   const TwoParts* parts = nullptr;
-  std::array<bool, 256> ends{};  // the characters that end a bare cell
 
-  const char* skip(const char* at) const {
-    while (!ends[static_cast<unsigned char>(*at)]) ++at;
-    return at;
-  }
-
-  [[gnu::always_inline]] const char* number(const char* at, const char* end, std::size_t column,
-                                            char own, double& value) {
-    const char* behind = short_decimal(at, own, value);
+  // A number between blanks or in quotes, or one that is no short decimal.
+  [[gnu::noinline]] bool other_cell(const char* at, const char* end, std::size_t column,
+                                    double& value) {
+    if (column == last && end > at && end[-1] == '\r') --end;
+    const bool quoted = *at == '"';
+    if (quoted && (end - ++at < 1 || *--end != '"')) return false;
+    while (!quoted && *at == ' ') ++at;
+    while (!quoted && end > at && end[-1] == ' ') --end;
     const bool two = parts != nullptr && parts->column == column;
-    if (two && behind != nullptr && *behind == '+') return in_two_parts(at, own, *parts, value);
-    if (two && parts->alone == 0) return nullptr;
-    if (behind == nullptr) behind = long_number(at, end, own, value);
-    if (behind == nullptr) return nullptr;
-    if (undecided) point = point || std::find(at, behind, '.') != behind;
+    const char own = quoted || mark != separator ? mark : '\n';
+    const char* const point_at = std::find(at, end, own);
+    const bool marked = point_at != end;
+    if (two && in_two_parts(at, own, *parts, value) == end) return true;
+    if (two && parts->alone == 0) return false;
+    if (!whole_decimal(at, end, marked, marked ? end - point_at - 1 : 0, value) &&
+        short_decimal(at, own, value) != end && long_number(at, end, own, value) != end)
+      return false;
+    if (undecided) point = point || std::find(at, end, '.') != end;
     if (two) value *= parts->alone;
-    return behind;
+    return true;
   }
 
-  // One row; nothing when it is not plain. There is a line feed before the end.
-  const char* read(const char* at, const char* end, double* values) {
-    if (*at == '#') return nullptr;
-    const char bare = mark == separator ? '\0' : mark;  // of cells without quotes
-    auto wanted = columns.begin();
-    for (std::size_t column = 0; column <= last; ++column, ++at) {
-      const char* const cell = at;
-      while (*at == ' ') ++at;
-      if (wanted == columns.end() || *wanted != column) {
-        at = skip(at);
-        if (*at == '"' && at == cell) {
-          do at = skip(at + 1);
-          while (*at == separator);
-          if (*at++ != '"') return nullptr;
-        }
-      } else {
-        const bool quoted = *at == '"';
-        if (quoted && at != cell) return nullptr;
-        at = number(quoted ? at + 1 : at, end, column, quoted ? mark : bare, *values);
-        if (at == nullptr || (quoted && *at++ != '"')) return nullptr;
-        while (!quoted && *at == ' ') ++at;
-        values += apart;
-        ++wanted;
+  // Rows, up to one that is not plain; how many. `all` columns are wanted.
+  template <bool all>
+  std::size_t read(const char*& text, const char* end, double* values, std::size_t rows) {
+    const char part = separator;
+    const std::uint64_t markable = mark != separator ? ~std::uint64_t{0} : 0;
+    const std::size_t odd = parts != nullptr && parts->alone != 1 ? parts->column : last + 1;
+    // Of the 64 bytes from one on, a bit each: what may end a cell, and marks.
+    const char* from = nullptr;
+    std::uint64_t stops = 0, marks = 0;
+    const auto look = [&](const char* at) {
+      from = at;
+      stops = marks = 0;
+#pragma GCC unroll 4
+      for (unsigned i = 0; i < 4; ++i, at += 16) {
+        marks |= where(at, mark) << 16 * i;
+        stops |= (where(at, part) | where(at, '\n')) << 16 * i;
+        if (!all) stops |= (where(at, '"') | where(at, '\0')) << 16 * i;
       }
-      if (*at == '\r' && column == last) ++at;
-      if (*at != (column == last ? '\n' : separator)) return nullptr;
+      marks &= markable;
+    };
+    const auto next_stop = [&](const char* at) {
+      for (; stops == 0; at += 64) look(at);  // NOLINT(bugprone-infinite-loop): look finds stops
+      const char* const stop = from + static_cast<unsigned>(std::countr_zero(stops));
+      return stop;
+    };
+    bool open = undecided;
+    std::uint64_t points = 0;
+    std::size_t row = 0, seen = 0, in_sight = 1;  // rows; from where on 64 bytes hold so many
+    for (const char* at = text; row < rows && at != end && *at != '#'; ++row, text = at) {
+      if (seen-- == 0) {
+        look(at);
+        seen = in_sight - 1;
+      }
+      double* value = values + row;
+      auto wanted = columns.begin();
+      for (std::size_t column = 0; column <= last; ++column) {
+        const char* stop = next_stop(at);
+        if (!all && *stop == '"' && stop == at) {
+          do stops &= stops - 1, stop = next_stop(stop + 1);
+          while (*stop == part);
+          const char* const behind = stop + 1;
+          if (*stop != '"') return row;
+          stops &= stops - 1;
+          stop = next_stop(behind);
+          if (stop - behind > (column == last && *behind == '\r' ? 1 : 0)) return row;
+        }
+        const std::uint64_t upto = stops ^ (stops - 1), marked = marks & upto;
+        stops &= ~upto;
+        marks &= ~upto;
+        if (*stop != (column == last ? '\n' : part)) return row;
+        if (all || (wanted != columns.end() && *wanted == column)) {
+          const char *begin = at, *behind = stop;
+          if (column == last && behind[-1] == '\r') --behind;
+          if (*begin == '"' && behind[-1] == '"') ++begin, --behind;
+          const std::ptrdiff_t digits =
+              marked != 0 ? behind - from - 1 - static_cast<unsigned>(std::countr_zero(marked)) : 0;
+          if (!whole_decimal(begin, behind, marked != 0, digits, *value) || column == odd) {
+            if (!other_cell(at, stop, column, *value)) return row;
+          } else {
+            points |= marked;
+          }
+          value += apart;
+          ++wanted;
+        }
+        at = stop + 1;
+      }
+      if (open && (points != 0 || point)) open = undecided = false, point = true;
+      if (row == 0)
+        in_sight = std::max<std::size_t>(1, 64 / static_cast<std::size_t>(at - text + 2));
     }
-    return at;
+    return row;
   }
 
   // The same between blanks.
-  const char* read_words(const char* at, const char* end, double* values) {
-    if (*at == '#') return nullptr;
+  std::size_t read_words(const char*& text, const char* end, double* values, std::size_t rows) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    auto wanted = columns.begin();
-    for (std::size_t column = 0; column <= last; ++column) {
-      while (blank(*at)) ++at;
-      const char* const word = at;
-      if (wanted == columns.end() || *wanted != column) {
-        at = skip(at);
-      } else {
-        at = number(at, end, column, mark, *values);
-        values += apart;
+    std::size_t row = 0;
+    for (const char* at = text; row < rows && at != end && *at != '#'; ++row, text = ++at) {
+      std::size_t to = row;
+      auto wanted = columns.begin();
+      for (std::size_t column = 0; column <= last; ++column) {
+        while (blank(*at)) ++at;
+        const char* const word = at;
+        while (!blank(*at) && *at != '\n' && *at != '"' && *at != '\0') ++at;
+        if (at == word || !(blank(*at) || column == last)) return row;
+        if (wanted == columns.end() || *wanted != column) continue;
+        if (!other_cell(word, at, column, values[to])) return row;
+        to += apart;
         ++wanted;
       }
-      if (at == nullptr || at == word || !(blank(*at) || column == last)) return nullptr;
+      while (blank(*at)) ++at;
+      if (*at != '\n') return row;
+      if (point) undecided = false;
     }
-    while (blank(*at)) ++at;
-    return *at == '\n' ? at + 1 : nullptr;
+    return row;
   }
 };
 
@@ -204,17 +309,14 @@ std::size_t CsvReader::numbers(std::span<const std::size_t> columns, std::span<d
                   .mark = decimal_ == ',' ? ',' : '.',
                   .undecided = separator_ != ',' && decimal_ == 0,
                   .parts = parts};
-  for (const char c : {'\n', '"', '\0', separator_})
-    plain.ends[static_cast<unsigned char>(c)] = true;
-  if (separator_ == ' ') plain.ends['\t'] = plain.ends['\r'] = true;
   std::size_t row = 0;
-  for (; row < rows && at != end; ++row) {
-    const char* const next = separator_ == ' ' ? plain.read_words(at, end, values.data() + row)
-                                               : plain.read(at, end, values.data() + row);
-    if (next == nullptr) break;
-    at = next;
-    if (plain.point) decimal_ = '.', plain.undecided = false;
-  }
+  if (separator_ == ' ')
+    row = plain.read_words(at, end, values.data(), rows);
+  else if (columns.size() == header_.size())
+    row = plain.read<true>(at, end, values.data(), rows);
+  else
+    row = plain.read<false>(at, end, values.data(), rows);
+  if (plain.point && !plain.undecided) decimal_ = '.';
   source_.use(static_cast<std::size_t>(at - text.data()), row);
   if (row > 0) line_ = source_.line();
   return row;

@@ -31,29 +31,29 @@ std::string quoted_name(const std::filesystem::path& file) {
 
 LineSource::LineSource(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
                        const std::string& encoding)
-    : file_(file), bytes_(std::move(bytes)), buffer_(buffer_size) {
+    : file_(file), bytes_(std::move(bytes)), buffer_(buffer_size + 2 * margin) {
   const auto read_some = [&] {
-    const std::size_t got = fill(buffer_.data() + end_, buffer_.size() / 2 - end_);
+    const std::size_t got = fill(data() + end_, room() / 2 - end_);
     end_ += got;
     return got > 0;
   };
   if (!encoding.empty()) bytes_ = decoded(std::move(bytes_), encoding);
   while (end_ < 2 && read_some()) {
   }
-  const std::string_view first{buffer_.data(), end_};
+  const std::string_view first{data(), end_};
   if (encoding.empty() && (first.starts_with("\xFF\xFE") || first.starts_with("\xFE\xFF"))) {
     bytes_ = decoded(std::move(bytes_), "UTF-16", first);
     end_ = 0;
     read_some();
   }
   const auto undecided = [&] {
-    const std::string_view text{buffer_.data(), end_};
-    return text.find('\n') == text.npos && end_ < buffer_.size() / 2;
+    const std::string_view text{data(), end_};
+    return text.find('\n') == text.npos && end_ < room() / 2;
   };
   while (undecided() && read_some()) {
   }
-  returns_ = ends_in_returns({buffer_.data(), end_});
-  if (returns_) std::replace(buffer_.data(), buffer_.data() + end_, '\r', '\n');
+  returns_ = ends_in_returns({data(), end_});
+  if (returns_) std::replace(data(), data() + end_, '\r', '\n');
 }
 
 std::string LineSource::here() const {
@@ -75,39 +75,38 @@ std::size_t LineSource::fill(char* to, std::size_t size) {
 
 std::string_view LineSource::lines_ahead() {
   if (whole_ <= begin_) {
-    const std::string_view rest{buffer_.data() + begin_, end_ - begin_};
+    const std::string_view rest{data() + begin_, end_ - begin_};
     const std::size_t feed = rest.rfind('\n');
     whole_ = feed == std::string_view::npos ? begin_ : begin_ + feed + 1;
   }
-  return {buffer_.data() + begin_, whole_ - begin_};
+  return {data() + begin_, whole_ - begin_};
 }
 
 bool LineSource::next(std::string_view& line) {
   std::size_t searched = begin_;
   while (true) {
-    const char* from = buffer_.data() + searched;
+    const char* from = data() + searched;
     const auto* feed = static_cast<const char*>(std::memchr(from, '\n', end_ - searched));
-    const std::size_t end =
-        feed != nullptr ? static_cast<std::size_t>(feed - buffer_.data()) : end_;
+    const std::size_t end = feed != nullptr ? static_cast<std::size_t>(feed - data()) : end_;
     if (end - begin_ > longest_line)
       throw InputError{fmt::format("{}: longer than {} bytes", here(), longest_line)};
     if (feed != nullptr) {
-      line = {buffer_.data() + begin_, end - begin_};
+      line = {data() + begin_, end - begin_};
       begin_ = end + 1;
       ++line_;
       return true;
     }
     // What is left goes to the front, where the rest of the line joins it.
-    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    std::memmove(data(), data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = whole_ = 0;
     searched = end_;
-    if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-    const std::size_t got = fill(buffer_.data() + end_, buffer_.size() - end_);
+    if (end_ == room()) buffer_.resize(2 * buffer_.size());
+    const std::size_t got = fill(data() + end_, room() - end_);
     end_ += got;
     if (got > 0) continue;
     if (end_ == 0) return false;
-    line = {buffer_.data(), end_};
+    line = {data(), end_};
     begin_ = end_;
     ++line_;
     return true;

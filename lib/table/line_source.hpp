@@ -37,8 +37,9 @@ class LineSource {
   bool next(std::string_view& line);
   bool next(std::string& line);
 
-  // What is in memory of the next lines, whole ones with their line feeds, maybe none; and how much
-  // of it has been used.
+  // What is in memory of the next lines, whole ones with their line feeds, maybe none (so many
+  // bytes before and behind may be read, too); and how much of it has been used.
+  static constexpr std::size_t margin = 64;
   std::string_view lines_ahead();
   void use(std::size_t bytes, std::size_t lines) { begin_ += bytes, line_ += lines; }
 
@@ -49,11 +50,13 @@ class LineSource {
 
  private:
   std::size_t fill(char* to, std::size_t size);
+  char* data() { return buffer_.data() + margin; }
+  std::size_t room() const { return buffer_.size() - 2 * margin; }
   std::string here() const;
 
   std::filesystem::path file_;
   std::unique_ptr<ByteSource> bytes_;
-  std::vector<char> buffer_;
+  std::vector<char> buffer_;         // with a margin before and behind
   std::size_t begin_ = 0, end_ = 0;  // of what is read but not used
   std::size_t whole_ = 0;            // end of its last whole line, once looked for
   std::size_t line_ = 0;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include <railbook/files/outside.hpp>
+#include <railbook/num/parallel.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
@@ -221,19 +222,26 @@ Row row_of(const Summary& answer) {
 }
 
 void run_batch(const RecordFiles& given, const Destination& out, const std::string& name,
-               const RecordRows& rows) {
+               const RecordRows& rows, int threads) {
   if (out.figure) throw InputError{"figure is given with many records; allowed: with one"};
   const std::vector<fs::path> records = records_of(given);
   OutFolder folder(out, {name + "-table.csv", name + "-table.jsonl"});
   std::vector<Answer> answers;
   Progress progress("records", static_cast<double>(records.size()));
-  for (const fs::path& record : records) {
-    answers.push_back(answer(record, rows));
-    if (session().json) {
-      fmt::print("{}", lines_of(answers.back()));
-      files::flush_standard_output();
+  answers.reserve(records.size());
+  // Some at once for each thread, since they take unlike times.
+  const std::size_t at_once = threads > 1 ? 16 * static_cast<std::size_t>(threads) : 1;
+  while (answers.size() < records.size()) {
+    const std::size_t first = answers.size(), count = std::min(at_once, records.size() - first);
+    for (Answer& one : num::map_in_parallel(
+             count, [&](std::size_t k) { return answer(records[first + k], rows); }, threads)) {
+      answers.push_back(std::move(one));
+      if (session().json) {
+        fmt::print("{}", lines_of(answers.back()));
+        files::flush_standard_output();
+      }
+      progress.step();
     }
-    progress.step();
   }
   progress.end();
   if (!session().json) print(answers, name);

@@ -44,13 +44,13 @@ Row row_of(const Summary& answer);
 
 using RecordRows = std::function<std::vector<Row>(const std::filesystem::path& record)>;
 
-// Answers all records and prints what came of them; with --json, a line for each row as soon as its
-// record is answered. With
-// --out DIR: DIR/NAME-table.csv and .jsonl, one row an answer: record, status (ok, refused,
-// failed), reason, then the rows' own columns. A record that is refused or that fails is a row with
-// its reason, and the others are answered. Then throws files::OutsideError when a record failed,
-// else InputError when one was refused: not all of them are answered, and the exit status says so.
+// Answers all records, on `threads` threads, and prints what came of them; with --json, a line for
+// each row as soon as its record is answered. With --out DIR: DIR/NAME-table.csv and .jsonl, one
+// row an answer: record, status (ok, refused, failed), reason, then the rows' own columns. A record
+// that is refused or that fails is a row with its reason, and the others are answered. Then throws
+// files::OutsideError when a record failed, else InputError when one was refused: not all of them
+// are answered, and the exit status says so.
 void run_batch(const RecordFiles& records, const Destination& out, const std::string& name,
-               const RecordRows& rows);
+               const RecordRows& rows, int threads = 1);
 
 }  // namespace railbook::tool

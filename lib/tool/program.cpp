@@ -176,9 +176,22 @@ std::string version_text(const Program& program) {
 
 namespace {
 
-// A tool under its subject, or the subject itself, with what all tools have.
-std::function<void()> add_tool(CLI::App& group, const Tool& tool) {
+// The tool that the first words name.
+const Tool* named_tool(const std::vector<std::string>& words,
+                       const std::vector<Subject>& subjects) {
+  for (const Subject& subject : subjects)
+    for (const Tool& tool : subject.tools)
+      if (!words.empty() && words[0] == subject.name &&
+          (tool.name.empty() || (words.size() > 1 && words[1] == tool.name)))
+        return &tool;
+  return nullptr;
+}
+
+// A tool under its subject, or the subject itself, with what all tools have; of one that is not
+// meant only the name.
+std::function<void()> add_tool(CLI::App& group, const Tool& tool, bool meant) {
   CLI::App* command = tool.name.empty() ? &group : group.add_subcommand(tool.name, tool.help);
+  if (!meant) return [] {};
   if (command != &group)
     command
         ->add_option("--config",
@@ -205,11 +218,13 @@ int run_words(CLI::App& app, const std::vector<std::string>& words, const Progra
   app.add_option("--completion", shell, "print the completion of a shell, bash or zsh")->group("");
   app.add_flag("--manual", manual_wanted, "print the manual page")->group("");
   std::vector<std::function<void()>> actions;
+  const Tool* const only = named_tool(words, subjects);
   for (const Subject& subject : subjects) {
     CLI::App* group = app.add_subcommand(subject.name, subject.help);
     if (subject.tools.size() > 1 || !subject.tools.front().name.empty())
       group->require_subcommand(1);
-    for (const Tool& tool : subject.tools) actions.push_back(add_tool(*group, tool));
+    for (const Tool& tool : subject.tools)
+      actions.push_back(add_tool(*group, tool, only == nullptr || only == &tool));
   }
   try {
     if (!words.empty() && (words[0] == "--manual" || words[0].starts_with("--completion")))

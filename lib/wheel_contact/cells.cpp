@@ -32,8 +32,7 @@ double Cells::solve(double down) {
     pressure = (lowered.array() > 0).select(VectorXd::Constant(grid.cells(), start), 0);
   }
   const VectorXd gap = -lowered;
-  const auto cg =
-      contact::solve_bounded_cg(*convolution, grid, gap, 0, pressure, {.tolerance = 1e-7});
+  const auto cg = contact::solve_bounded_cg(*convolution, gap, 0, pressure, {.tolerance = 1e-7});
   return cg.converged ? pressure.sum() * grid.dx * grid.dy : -1;
 }
 

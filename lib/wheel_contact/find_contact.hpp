@@ -29,6 +29,7 @@ ProfilePair s1002_on_60e1(double cant, profiles::Rail60 kind = profiles::Rail60:
 // 0.
 struct Pose {
   double y = 0, yaw = 0, roll = 0;
+  bool operator==(const Pose&) const = default;
 };
 Pose mirrored(const Pose& pose);
 

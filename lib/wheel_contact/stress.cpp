@@ -1,6 +1,7 @@
 #include <railbook/wheel_contact/stress.hpp>
 
 #include <cmath>
+#include <utility>
 
 #include <railbook/units/input_error.hpp>
 
@@ -28,6 +29,11 @@ PatchStress stresses(const PatchResult& patch, const WheelInput& input) {
       const Index cell = std::lround((t.y[k] - g.y(0)) / g.dy) * g.nx + column(k);
       p[cell] = t.bound[k] / patch.friction, x[cell] = t.px[k], y[cell] = t.py[k];
     }
+  }
+  if (input.rail.poisson == input.wheel.poisson) {
+    auto both = contact::largest_stresses(out.grid, input.rail.poisson, p, x, y);
+    out.rail = std::move(both[0]), out.wheel = std::move(both[1]);
+    return out;
   }
   out.rail = contact::largest_stress(out.grid, input.rail.poisson, p, x, y);
   out.wheel = contact::largest_stress(out.grid, input.wheel.poisson, p, -x, -y);

@@ -209,7 +209,7 @@ rolling::CreepForces fastsim(const Strips& contact, const rolling::RollingCase& 
       const double step = i == 0 ? h / 2 : h, ahead = x + step / 2;
       px += step * (creep.longitudinal / l1 - creep.spin * s.t / l3);
       py += step * (creep.lateral / l2 + creep.spin * ahead / l3);
-      const double size = std::hypot(px, py);
+      const double size = std::sqrt(px * px + py * py);
       const bool slides = size > bound;
       if (slides) px *= bound / size, py *= bound / size;
       out.fx += cell * px, out.fy += cell * py, out.mz += cell * (x * py - s.t * px);

@@ -105,7 +105,8 @@ struct WheelsetResult {
 // A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels
 // at one height, and its angular velocity lets the moments about the axle cancel. Of the input,
 // `angular_velocity` is not used; of the pose, roll is not. Throws as solve_wheel, and when no roll
-// near the rigid wheelset's does. Some twenty solutions of a wheel.
+// near the rigid wheelset's does. Some twenty solutions of both wheels by an approximate method; by
+// the full theory some six, one by itself, and two or three on its planes and cells.
 WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 // The same with another wheel or rail on the left, as seen in the mirror.
 WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right, const Pose& pose,

@@ -1,63 +1,165 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <map>
+#include <utility>
 
 #include <railbook/num/roots.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/wheel_contact/detail/wheel_solver.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 
 namespace railbook::wheel_contact {
+
+using Eigen::Vector2d;
+
 namespace {
 
-// The root of a function that is nearly straight, from two places near it; the better of the last
-// two.
-double secant(const std::function<double(double)>& f, double x0, double x1, double small) {
-  double f0 = f(x0);
-  if (std::abs(f0) < small) return x0;
-  double f1 = f(x1);
-  for (int k = 0; k < 12 && std::abs(f1) >= small && f1 != f0; ++k) {
-    const double next = x1 - f1 * (x1 - x0) / (f1 - f0);
-    x0 = x1, f0 = f1, x1 = next, f1 = f(x1);
-  }
-  return x1;
-}
+// approximate: by strips, or Hertz's method; afresh: by the full theory, for what follows; nearby:
+// by the full theory, on the planes and cells of a pose that was solved afresh; answer: the last
+// pose to the accuracy of an answer.
+enum class How { approximate, afresh, nearby, answer };
 
 struct Balance {
   const ProfilePair &left, &right;
   const WheelInput& input;
   WheelsetResult& out;
-  std::optional<Method> last = {};  // by which `out` was found
+  std::array<WheelSolver, 2> quick, full;  // left, right
+  // Of the right wheel over the left [m], and about the axle [N m]; by an approximate method as
+  // known for a roll and an angular velocity.
+  Vector2d off = {};
+  std::map<std::pair<double, double>, Vector2d> known = {};
 
-  void solve(double roll, double angular_velocity, Method method) {
-    if (last == method && roll == out.pose.roll && angular_velocity == out.angular_velocity) return;
-    last = method;
-    WheelInput w = input;
-    w.angular_velocity = angular_velocity, w.method = method;
+  const Vector2d& solve(double roll, double angular_velocity, How how) {
     out.pose.roll = roll, out.angular_velocity = angular_velocity;
-    out.right = solve_wheel(right, out.pose, w);
-    out.left = solve_wheel(left, mirrored(out.pose), w);
+    const auto solved = [&](std::size_t side, const Pose& pose) {
+      const bool by_full = input.method == Method::full;
+      if (how == How::nearby) return full[side].solve_nearby(pose, angular_velocity);
+      if (how == How::answer && by_full) return full[side].refine();
+      return (how == How::afresh ? full : quick)[side].solve(
+          pose, angular_velocity,
+          by_full ? WheelSolver::Purpose::step : WheelSolver::Purpose::answer);
+    };
+    out.right = solved(1, out.pose);
+    out.left = solved(0, mirrored(out.pose));
+    // A wheel's z is counted from where the axle would be on its running circle.
+    off = {out.right.z - right.radius - (out.left.z - left.radius),
+           out.right.axle_moment + out.left.axle_moment};
+    return off;
   }
-  // A wheel's z is counted from where the axle would be on its running circle.
-  double heights() const { return out.right.z - right.radius - (out.left.z - left.radius); }
+  const Vector2d& approximate(double roll, double angular_velocity) {
+    const auto [place, anew] = known.try_emplace({roll, angular_velocity});
+    if (anew) place->second = solve(roll, angular_velocity, How::approximate);
+    return place->second;
+  }
+  bool converged() const { return out.left.converged && out.right.converged; }
   double radius() const { return 0.5 * (left.radius + right.radius); }
-  double moments() const { return out.right.axle_moment + out.left.axle_moment; }
 
   // By brackets, with an approximate method.
-  double roll(double guess, double angular_velocity, Method method) {
-    const auto f = [&](double roll) { return solve(roll, angular_velocity, method), heights(); };
+  double roll(double guess, double angular_velocity) {
+    const auto f = [&](double roll) { return approximate(roll, angular_velocity)[0]; };
     for (double reach = 2e-5; reach < 0.02; reach *= 3)
       if ((f(guess - reach) > 0) != (f(guess + reach) > 0))
         return guess +
                num::find_root([&](double d) { return f(guess + d); }, -reach, reach, 1e-6).x;
     throw InputError{"no roll near the rigid wheelset's has both wheels at one height"};
   }
-  double angular_velocity(double roll, Method method) {
+  double angular_velocity(double roll, double relative) {
     const double nominal = input.speed / radius();
-    const auto f = [&](double angular_velocity) {
-      return solve(roll, angular_velocity, method), moments();
+    const auto f = [&](double angular_velocity) { return approximate(roll, angular_velocity)[1]; };
+    return num::find_root(f, 0.9 * nominal, 1.1 * nominal, relative).x;
+  }
+
+  // Broyden's method on a roll and an angular velocity, which counts in `unit`s.
+  struct Search {
+    double &roll, &angular_velocity;
+    bool friction;
+    Vector2d unit{1e-5, 1e-4 * angular_velocity};
+    Eigen::Matrix2d slopes = Eigen::Matrix2d::Identity();
+
+    Vector2d move(const Vector2d& off) {
+      const Vector2d most(50, 300);
+      Vector2d step = -slopes.fullPivLu().solve(off).cwiseMax(-most).cwiseMin(most);
+      roll += step[0] * unit[0];
+      if (friction) angular_velocity += step[1] * unit[1];
+      return step;
+    }
+    void renew(const Vector2d& change, const Vector2d& step) {
+      if (step != Vector2d::Zero())
+        slopes += (change - slopes * step) * step.transpose() / step.squaredNorm();
+    }
+    // f(roll, angular velocity), whose value here is `at`; false where it fails.
+    template <class F>
+    bool find_slopes(const Vector2d& at, const F& f) {
+      Vector2d off;
+      if (!f(roll + unit[0], angular_velocity, off)) return false;
+      slopes.col(0) = off - at;
+      if (!friction) return true;
+      if (!f(roll, angular_velocity + unit[1], off)) return false;
+      slopes.col(1) = off - at;
+      return true;
+    }
+  };
+  bool good(const Vector2d& small) const {
+    return std::abs(off[0]) < small[0] &&
+           (std::abs(off[1]) < small[1] || input.friction.largest() == 0);
+  }
+
+  // The start of the full theory, and its slopes if they can be had, by the approximate method.
+  bool start(Search& s, const Vector2d& small) {
+    Vector2d at;
+    const auto f = [&](double roll, double angular_velocity, Vector2d& found) {
+      found = off = approximate(roll, angular_velocity);
+      return converged();
     };
-    return num::find_root(f, 0.9 * nominal, 1.1 * nominal, 1e-9).x;
+    const auto search = [&] {
+      bool going = f(s.roll, s.angular_velocity, at) && s.find_slopes(at, f);
+      for (int k = 0; k < 12 && going; ++k) {
+        const Vector2d before = at, step = s.move(at);
+        going = f(s.roll, s.angular_velocity, at);
+        s.renew(at - before, step);
+        if (going && good(small)) return true;
+      }
+      return false;
+    };
+    const double rigid = s.roll, nominal = s.angular_velocity;
+    try {
+      if (search()) return true;
+    } catch (const InputError&) {  // a step beyond the profiles
+    }
+    s.roll = roll(rigid, nominal), s.angular_velocity = nominal;
+    if (s.friction) s.angular_velocity = angular_velocity(s.roll, 1e-3);
+    return search();
+  }
+
+  // By the full theory on the planes and cells of one pose, and where that leads far from it, of
+  // another.
+  void settle(double& roll, double& angular_velocity, const Vector2d& small) {
+    Search s{roll, angular_velocity, input.friction.largest() > 0};
+    const auto f = [&](double r, double t, Vector2d& found) {
+      found = solve(r, t, How::nearby);
+      return converged();
+    };
+    bool sure = start(s, 10 * small);
+    for (int k = 0; k < 8; ++k) {
+      Vector2d at = solve(roll, angular_velocity, How::afresh), way = Vector2d::Zero();
+      if (!converged()) return;
+      if (k > 0 && !f(roll, angular_velocity, at)) continue;  // sharper
+      if (!sure) sure = s.find_slopes(at, f);
+      off = at;
+      const auto far = [&] { return std::abs(way[0]) > 0.05 || std::abs(way[1]) > 1; };
+      for (int m = 0; m < 12 && !good(far() ? 10 * small : small); ++m) {
+        const Vector2d before = at, step = s.move(at);
+        way += step;
+        if (!f(roll, angular_velocity, at)) break;
+        if (m > 0 || step.norm() > 0.1) s.renew(at - before, step);  // at first friction is rough
+      }
+      if (converged() && !far() && good(small)) break;
+    }
+    if (converged()) solve(roll, angular_velocity, How::answer);
   }
 };
 
@@ -75,31 +177,28 @@ WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right,
   units::require_between("yaw", at.yaw, -0.1, 0.1, "rad");
   WheelsetResult out;
   out.pose = at;
-  Balance b{left, right, input, out};
   const bool friction = input.friction.largest() > 0, full = input.method == Method::full;
-  const Method quick = full ? Method::strips : input.method;
+  WheelInput quick = input;
+  if (full) quick.method = Method::strips;
+  Balance b{left,
+            right,
+            input,
+            out,
+            {WheelSolver(left, quick), WheelSolver(right, quick)},
+            {WheelSolver(left, input), WheelSolver(right, input)}};
   double roll = rigid_roll(left, right, at.y, at.yaw);
   double angular_velocity = input.speed / b.radius();
-  for (int k = 0; k < (friction ? 2 : 1); ++k) {
-    roll = b.roll(roll, angular_velocity, quick);
-    if (friction) angular_velocity = b.angular_velocity(roll, quick);
+  for (int k = 0; !full && k < (friction ? 2 : 1); ++k) {
+    roll = b.roll(roll, angular_velocity);
+    if (friction) angular_velocity = b.angular_velocity(roll, 1e-9);
   }
-  const double small_height = 2e-8;  // m
-  const double small_moment = 1e-4 * input.friction.largest() * input.load * b.radius();
-  for (int k = 0; full && k < 3; ++k) {
-    const auto height = [&](double r) {
-      return b.solve(r, angular_velocity, Method::full), b.heights();
-    };
-    roll = secant(height, roll, roll + 1e-6, small_height);
-    const auto moment = [&](double t) { return b.solve(roll, t, Method::full), b.moments(); };
-    if (friction)
-      angular_velocity =
-          secant(moment, angular_velocity, angular_velocity * (1 + 1e-6), small_moment);
-    if (!friction || std::abs(b.heights()) < 10 * small_height) break;
-  }
-  b.solve(roll, angular_velocity, input.method);
-  if (std::abs(b.heights()) > 1e-6) out.reason = "the wheels do not come to one height";
-  if (friction && std::abs(b.moments()) > 10 * small_moment)
+  const Vector2d small(2e-8, 1e-4 * input.friction.largest() * input.load * b.radius());
+  if (full)
+    b.settle(roll, angular_velocity, small);
+  else
+    b.solve(roll, angular_velocity, How::answer);
+  if (std::abs(b.off[0]) > 1e-6) out.reason = "the wheels do not come to one height";
+  if (friction && std::abs(b.off[1]) > 10 * small[1])
     out.reason = "the moments about the axle do not balance";
   for (const WheelResult* wheel : {&out.left, &out.right})
     if (!wheel->converged) out.reason = wheel->reason;

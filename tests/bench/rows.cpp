@@ -251,11 +251,11 @@ Row normal_contact(Eigen::Index cells) {
   const auto frame = 2 * static_cast<std::size_t>(cells + 1);
   const auto fft =
       std::make_shared<std::optional<num::RealFft2d>>();  // after ours: its memory is not ours
-  const auto iterations = std::make_shared<int>(0);
+  const auto pairs = std::make_shared<double>(0);
   const int threads = static_cast<int>(std::thread::hardware_concurrency());
   return {.key = fmt::format("contact-{}", cells),
-          .what = fmt::format("Normal contact of an ellipse, {0} by {0} cells and the grids below, "
-                              "{1} threads",
+          .what = fmt::format("Normal contact of an ellipse to 1e-6, {0} by {0} cells and the "
+                              "grids below, {1} threads",
                               cells, threads),
           .unit = "cells",
           .work = static_cast<double>(cells * cells),
@@ -264,17 +264,25 @@ Row normal_contact(Eigen::Index cells) {
                      contact::CgFftOptions options;
                      options.nx = options.ny = cells;
                      options.cg.threads = threads;
+                     options.cg.tolerance = 1e-6;
                      const auto answer = contact::solve_cg_fft(
                          contact::quadratic_gap({1.0, 1.7, 0.0}), 50e-6, 115e9, options);
                      if (!answer.contact.converged) throw std::runtime_error(answer.contact.reason);
-                     *iterations = answer.levels.back().iterations;
+                     *pairs = answer.transform_pairs();
                      sink = answer.contact.force;
                    }},
-          .limit = {"the pair of transforms of each iteration on the finest grid, one thread", [=] {
+          .limit = {"a dozen pairs of transforms of the finest grid, padded; one thread",
+                    [=] {
                       if (!*fft) fft->emplace(frame, frame);
-                      for (int i = 0; i < *iterations; ++i) (*fft)->forward(), (*fft)->inverse();
+                      for (int i = 0; i < 12; ++i) (*fft)->forward(), (*fft)->inverse();
                       sink = (*fft)->row(0)[0];
-                    }}};
+                    }},
+          .count = [=] {
+            return fmt::format(
+                "points transformed, in pairs of transforms of the finest grid, "
+                "padded: {:.1f}",
+                *pairs);
+          }};
 }
 
 Row rolling_contact() {

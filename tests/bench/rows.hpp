@@ -21,6 +21,7 @@ struct Row {
   Way limit = {};    // what the machine asks: the same bytes or transforms and nothing else
   Way plain = {};    // what one would write first
   double share = 1;  // of the work that the plain way does, where all of it takes too long
+  std::function<std::string()> count = {};  // what ours was seen to do, without a clock
 };
 
 // Each sets itself up; files go to `folder`.

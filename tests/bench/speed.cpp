@@ -53,6 +53,7 @@ Json measured(const Row& row) {
   Json json = {{"key", row.key},      {"what", row.what}, {"method", row.ours.what},
                {"work", row.work},    {"unit", row.unit}, {"seconds", best[0]},
                {"peak_bytes", memory}};
+  if (row.count) json["count"] = row.count();
   if (row.limit.run)
     json["limit"] = {
         {"what", row.limit.what}, {"seconds", best[1]}, {"share_reached", best[1] / best[0]}};
@@ -113,6 +114,7 @@ std::string line(const Json& row) {
       ", {} a {}", bench::duration(seconds / work),
       row["unit"].get<std::string>().substr(0, row["unit"].get<std::string>().size() - 1));
   text += fmt::format("; at most {:.0f} MB\n", row.at("peak_bytes").get<double>() / 1e6);
+  if (row.contains("count")) text += fmt::format("  {}\n", row["count"].get<std::string>());
   if (row.contains("limit"))
     text += fmt::format("  the machine's limit, {}: {}; {:.0f} % reached\n",
                         row["limit"]["what"].get<std::string>(),

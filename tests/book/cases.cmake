@@ -27,8 +27,9 @@ function(edit file from to)
   file(WRITE ${file} "${text}")
 endfunction()
 
-# has(WHERE TEXT parts...): the text holds each of the parts.
+# has(WHERE TEXT parts...): the text holds each of the parts, with a plain space for the one that keeps a unit on its line.
 function(has where text)
+  string(REPLACE " " " " text "${text}")
   set(k 2)
   while(k LESS ARGC)
     string(FIND "${text}" "${ARGV${k}}" at)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# cost.sh RAILBOOK EXAMPLES COSTS.csv compare|accept: counts the instructions of the works in works.txt with valgrind, and compares them with
+# cost.sh RAILBOOK EXAMPLES COSTS.csv compare|accept: counts the instructions of the works in works.txt with valgrind (and notes the pairs of
+# Fourier transforms of those that say them), and compares them with
 # those that COSTS.csv has, or writes it. A work that has become dearer by more than 1 % is a fault (status 1); a cheaper one is not.
 # Without valgrind, or on another machine than that of COSTS.csv (its second line: processor, C library, compiler), nothing is
 # compared (status 77).
@@ -19,7 +20,7 @@ status=0
 {
   echo "# Instructions of ten works, counted by valgrind; made by \`make accept-cost\`, compared by \`make cost\`."
   echo "# $tuning"
-  echo "key,work,million_instructions"
+  echo "key,work,million_instructions,transform_pairs"
 } > "$work/costs.csv"
 printf '%-14s %12s %12s %7s\n' work "million now" before ratio
 while IFS='|' read -r key what words; do
@@ -31,8 +32,9 @@ while IFS='|' read -r key what words; do
     "$railbook" "${words[@]}" > "$work/answer" || { cat "$work/log" "$work/answer" && exit 1; }
   now=$(sed -n 's/^==.*I *refs: *//p' "$work/log" | tr -d ,)
   now=$(awk "BEGIN {printf \"%.1f\", $now / 1e6}")
-  echo "$key,$what,$now" >> "$work/costs.csv"
-  before=$(sed -n "s/^$key,.*,//p" "$costs" 2> /dev/null || true)
+  pairs=$(sed -n 's/^.*pairs of Fourier transforms[^0-9]*\([0-9.]*\).*/\1/p' "$work/answer")
+  echo "$key,$what,$now,$pairs" >> "$work/costs.csv"
+  before=$(sed -n "s/^$key,.*,\([0-9.]*\),[0-9.]*$/\1/p" "$costs" 2> /dev/null || true)
   awk -v k="$key" -v n="$now" -v b="${before:-0}" 'BEGIN {
     printf("%-14s %12.1f %12.1f %7s\n", k, n, b, (b > 0 ? sprintf("%.3f", n / b) : "new"))
     exit(b > 0 && n > 1.01 * b) }' || status=1

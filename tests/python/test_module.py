@@ -99,3 +99,16 @@ def test_a_call_costs_little():
     h = contact.hertz_from_force(contact.RelativeCurvature(1, 1), 1e11, 1e5)
     least = min(timeit.repeat(lambda: h.p_max, number=10_000, repeat=5)) / 10_000
     print(f"{least * 1e6:.2f} us a call")  # printed, not asserted: machines are shared
+
+
+def test_a_force_table_bounds_what_its_interpolation_loses():
+    table = rolling.ForceTable("fastsim", cells=8)
+    coarse = rolling.ForceTableAxes()
+    coarse.longitudinal, coarse.lateral, coarse.spin = 5, 5, 9
+    few = rolling.ForceTable("fastsim", axes=coarse, cells=8)
+    place = (1.1, 0.4, 0.3, 0.5)
+    force, moment = few.bound(*place)
+    assert 0 < table.bound(*place)[0] < force < 1 and 0 < moment < 1
+    difference = np.subtract(few.at(*place), table.at(*place))
+    assert np.hypot(*difference[:2]) < force
+    assert few.bound(1.1, 99, 0, 0) == [np.inf, np.inf]

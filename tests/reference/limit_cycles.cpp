@@ -210,21 +210,6 @@ void multipliers() {
   }
 }
 
-// Cycles of these amplitudes [in], written as they stand in the test, each from the one before:
-// near one speed and frequency there are several, of one truck or of both.
-void describing(const Table& table, bool friction, double amplitude, Found near,
-                const std::vector<const char*>& wanted) {
-  Found at = describe(table, friction, amplitude, near);
-  for (const char* text : wanted) {
-    for (const double goal = std::stod(text); amplitude < goal;) {
-      amplitude = std::min(amplitude + 0.01, goal);
-      at = describe(table, friction, amplitude, at);
-    }
-    std::printf("tests/lib/vehicle/paper_branches.cpp: {%s, %s, %s,\n", text,
-                digits(at.speed, 2).c_str(), digits(at.omega, 2).c_str());
-  }
-}
-
 }  // namespace
 
 int main() {
@@ -235,9 +220,4 @@ int main() {
   cycles(cn, false, {{130.8, "130.8", 0.405, 21.5, 4, 3}, {131.5, "131.5", 0.413, 21.6, 4, 3}});
   cycles(cn, true, {{90, "90", 0.05, 14.2, 4, 3}, {100, "100", 0.12, 17, 4, 3}});
   multipliers();
-  describing(fresh, false, 0.39, {144.5, 12.05}, {"0.41", "0.43", "0.45", "0.50", "0.60"});
-  describing(fresh, false, 0.39, {152.4, 13.09}, {"0.43", "0.48"});
-  describing(cn, false, 0.3, {130.3, 21.1}, {"0.30", "0.41", "0.48", "0.60"});
-  describing(heumann, false, 0.2, {86.9, 26.1}, {"0.20", "0.30", "0.41"});
-  describing(cn, true, 0.1, {98.7, 16.7}, {"0.10", "0.20", "0.30", "0.45"});
 }

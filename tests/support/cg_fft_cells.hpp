@@ -11,7 +11,7 @@ inline railbook::contact::Region solve_on(const railbook::contact::Grid& grid,
                                           Eigen::VectorXd& p, double tolerance = 1e-8) {
   railbook::contact::Convolution a(grid, modulus);
   p.setZero(grid.cells());
-  if (!solve_bounded_cg(a, grid, f, approach, p, {.tolerance = tolerance}).converged)
+  if (!solve_bounded_cg(a, f, approach, p, {.tolerance = tolerance}).converged)
     throw std::runtime_error("conjugate gradients did not converge");
   return describe(grid, p, f);
 }

@@ -29,16 +29,6 @@ inline Record record_of(Channel channel, const std::vector<double>& values) {
   return r;
 }
 
-// The column whose centred differences of that order (2 or 4) are these.
-inline std::vector<double> summed(std::vector<double> differences, std::size_t order) {
-  const auto reach = static_cast<std::ptrdiff_t>(order / 2);
-  std::vector<double>& x = differences;
-  std::rotate(x.begin(), x.end() - reach, x.end());
-  std::fill_n(x.begin(), order, 0.0);
-  for (std::size_t k = 0; k < order; ++k) std::partial_sum(x.begin(), x.end(), x.begin());
-  return x;
-}
-
 inline std::vector<double> alternating(std::size_t rows, double size) {
   std::vector<double> e(rows);
   for (std::size_t k = 0; k < rows; ++k) e[k] = k % 2 == 0 ? size : -size;
@@ -60,7 +50,7 @@ inline const Finding* finding(const Health& health, Fault fault, const std::stri
   return nullptr;
 }
 
-inline std::set<std::size_t> rows_of(const std::vector<bool>& marked) {
+inline std::set<std::size_t> rows_of(const std::vector<char>& marked) {
   std::set<std::size_t> rows;
   for (std::size_t k = 0; k < marked.size(); ++k)
     if (marked[k]) rows.insert(k);

@@ -26,7 +26,7 @@ refuses(contact "a profile that is none" ".radii.toml.: no column .x."
                  solve --body-1-profile radii.toml --body-2-radius-along 1m --load 3kN)
 refuses(contact "a profile and a radius" "body 1 has both a profile and a radius across the rail"
                  solve --body-1-profile rail.csv --body-1-radius-across 0.3m --body-2-radius-along 1m --load 3kN)
-refuses(contact "a grid beyond memory" "a grid of 8192 x 8192 cells needs 4.54 GB"
+refuses(contact "a grid beyond memory" "a grid of 8192 x 8192 cells needs 5.5 GB"
                  solve ${bodies} --load 3kN --cells-x 8192 --cells-y 8192)
 refuses(contact "a missing configuration" "none.toml.: cannot be read: No such file"
                  solve --config none.toml)

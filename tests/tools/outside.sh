@@ -112,7 +112,7 @@ case $case in
     cd "$folder/run" || exit 1
     clean ;;
   "an end while gnuplot draws")
-    fake 'echo $$ > "'$folder'/child"; sleep 600 & sleep 600'
+    fake 'cd "'$folder'" && echo $$ >pid && mv pid child; sleep 600 & sleep 600' # the number is there when the file is
     "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said" &
     tool=$!
     waits_for "$folder" child

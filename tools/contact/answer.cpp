@@ -21,7 +21,8 @@ double half_extent(const NormalContact& c, double angle) {
   return (along.maxCoeff() - along.minCoeff()) / 2;
 }
 
-// How large the contact is against the radii that it follows. As large as a radius: not a half space at all.
+// How large the contact is against the radii that it follows. As large as a radius: not a half
+// space at all.
 void judge_half_space(const Options& options, const Solved& solved, tool::Summary& answer) {
   double largest = 0;
   for (int k = 0; k < 2; ++k) {
@@ -78,7 +79,8 @@ void judge_errors(const Solved& solved, tool::Summary& answer) {
                             solved.touch_scatter / units::micrometre, scatter));
 }
 
-// A value with its error from the grid and from the profiles, shares of it; infinite where one of them is not known.
+// A value with its error from the grid and from the profiles, shares of it; infinite where one of
+// them is not known.
 tool::Estimate estimate(double value, double unit, double grid, double profile) {
   const bool known = grid < 0.5 && std::isfinite(profile);
   return {value / unit, known ? (grid + profile) * std::abs(value) / unit : units::infinity};
@@ -96,8 +98,8 @@ double clean(double value, double scale) {
   return std::abs(value) < 1e-9 * scale ? 0 : value;
 }
 
-// The contact's ends in the bodies' axes. A turned grid is for bodies by radii, whose contact is an ellipse about the
-// origin.
+// The contact's ends in the bodies' axes. A turned grid is for bodies by radii, whose contact is an
+// ellipse about the origin.
 Box ends_of(const Solved& solved) {
   const NormalContact& c = solved.result.contact;
   const double cosine = std::cos(solved.bodies.angle), sine = std::sin(solved.bodies.angle);
@@ -150,7 +152,8 @@ void add_forces(const Solved& solved, bool by_load, const Box& ends, const Shown
       fmt::format("x_touch_{}", u.length_name), "first touch at x",
       tool::Estimate{clean(solved.bodies.x_touch, width) / u.length, solved.touch_error / u.length},
       u.length_name);
-  // What was asked for has no error: the other one has it, an approach not more than the force, which grows faster.
+  // What was asked for has no error: the other one has it, an approach not more than the force,
+  // which grows faster.
   const double profiles = std::max(solved.profile_force_error, solved.scatter_force_error());
   const std::string approach = fmt::format("approach_{}", u.small_name),
                     force = fmt::format("force_{}", u.force_name);
@@ -211,8 +214,8 @@ void add_patches(const Solved& solved, const Shown& u, tool::Summary& answer) {
                "", "those that carry least");
 }
 
-// Bodies by radii have Hertz's closed form: what it says at the same load, or approach, whichever was asked for, and how
-// far the grid is from it.
+// Bodies by radii have Hertz's closed form: what it says at the same load, or approach, whichever
+// was asked for, and how far the grid is from it.
 void add_hertz(const Options& options, const Solved& solved, const Shown& u,
                tool::Summary& answer) {
   const auto curvature = [](const Body& body, double angle) {
@@ -262,6 +265,8 @@ tool::Summary answer(const Options& options, const Solved& solved) {
     answer.add("grid_angle_deg", "  turned by", solved.bodies.angle / units::degree, "deg",
                "x and y of pressure.csv and outline.csv are along the principal axes");
   answer.add("iterations", "iterations, all grids", c.iterations, "");
+  answer.add("transform_pairs", "pairs of Fourier transforms of the finest grid",
+             solved.result.transform_pairs(), "", "coarser and smaller ones by their points");
   if (!options.read[0].profile && !options.read[1].profile) add_hertz(options, solved, u, answer);
   return answer;
 }

@@ -52,7 +52,8 @@ struct Solved {
   contact::TouchingBodies bodies;
   contact::CgFft result;
   double modulus = 0;  // E* [Pa]
-  // What the interpolation of the profiles may do to force and peak pressure, as shares of them; 0 for radii.
+  // What the interpolation of the profiles may do to force and peak pressure, as shares of them; 0
+  // for radii.
   double profile_force_error = 0, profile_p_max_error = 0;
   double touch_scatter =
       0;  // how far the scatter of the profiles' points may move the first touch [m]
@@ -65,8 +66,9 @@ struct Solved {
   double scatter_force_error() const { return 1.5 * touch_scatter / result.contact.approach; }
 };
 
-// The table, with its warnings: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles
-// with too few points. Throws InputError for a contact as large as a radius.
+// The table, with its warnings: a contact as large as a fifth of a radius, narrower than a few
+// cells, at an edge, profiles with too few points. Throws InputError for a contact as large as a
+// radius.
 tool::Summary answer(const Options& options, const Solved& solved);
 
 }  // namespace railbook::contact_tool

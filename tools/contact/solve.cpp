@@ -96,8 +96,9 @@ void require_answer(const CgFft& result, const TouchingBodies& bodies) {
                     bodies.x_min + bodies.x_touch, bodies.x_max + bodies.x_touch));
 }
 
-// What becomes of force, peak pressure, ends and first touch when every second point of the profiles is left out, at the same approach on
-// one grid; infinite when there is then no contact to solve.
+// What becomes of force, peak pressure, ends and first touch when every second point of the
+// profiles is left out, at the same approach on one grid; infinite when there is then no contact to
+// solve.
 void find_profile_errors(const Options& options, Solved& solved) {
   Options same = options;
   same.load.reset();
@@ -145,7 +146,8 @@ void write_files(const Options& options, const Solved& solved, const tool::Summa
   const NormalContact& c = solved.result.contact;
   const Grid& grid = solved.result.levels.back().grid;
   const double x_touch = solved.bodies.x_touch;
-  // Every cell within the grid, so that the file is a complete map; cells without contact have pressure 0.
+  // Every cell within the grid, so that the file is a complete map; cells without contact have
+  // pressure 0.
   Eigen::VectorXd p = Eigen::VectorXd::Zero(grid.cells());
   for (Eigen::Index n = 0; n < c.p.size(); ++n)
     p[std::lround((c.y[n] - grid.y(0)) / grid.dy) * grid.nx +

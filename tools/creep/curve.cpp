@@ -88,8 +88,8 @@ void clean(CreepForces& f, double bound, double length) {
   if (std::abs(f.mz) < 1e-12 * bound * length) f.mz = 0;
 }
 
-// A theory without an estimate of its own beside the full theory, at up to 21 of the rows evenly spread: the errors of those rows.
-// Where the full theory has no answer, they stay unknown.
+// A theory without an estimate of its own beside the full theory, at up to 21 of the rows evenly
+// spread: the errors of those rows. Where the full theory has no answer, they stay unknown.
 void compare_with_full(std::vector<Row>& all, RollingCase c) {
   if (all.empty() || std::isfinite(all.front().forces.error) || c.friction == 0) return;
   constexpr std::size_t most = 21;

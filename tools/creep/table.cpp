@@ -6,7 +6,7 @@ reduced creepages $G\,ab\,\xi/\mu N$, $G\,ab\,\eta/\mu N$ and $G(ab)^{3/2}\phi/\
 friction and size; the values are $F_x/\mu N$, $F_y/\mu N$ and $M_z/(\mu N\sqrt{ab})$. Negative longitudinal creepage
 turns $F_x$; negative lateral creepage turns $F_y$, $M_z$ and the spin to look up, so that a quarter of the creepages is
 enough. The error of linear interpolation is measured against the theory at points off the nodes and stated in the
-answer and in the file. A fast theory has no error of its own; its table is compared with the full theory at 64 points.
+answer and in the file, with a bound for each place. A fast theory has no error of its own; its table is compared with the full theory at 64 points.
 
     creep table --ratio-from 0.5 --ratio-to 2 --out mine
 */
@@ -55,17 +55,20 @@ std::string csv(const ForceTable& table, const Options& options, const Interpola
       "# Error of that, of (fx, fy): largest {:.2g}, rms {:.2g}; of mz: largest {:.2g}, rms {:.2g} "
       "({} points "
       "off the nodes).\n"
-      "a_over_b,x,y,spin,fx,fy,mz\n",
+      "# Bound of it at one place: the largest force_bound (of mu N) and moment_bound (of mu N "
+      "sqrt(a b)) at the corners of its cell; {} of the points were within it.\n"
+      "a_over_b,x,y,spin,fx,fy,mz,force_bound,moment_bound\n",
       options.theory, options.poisson, error.largest_force, error.rms_force, error.largest_moment,
-      error.rms_moment, error.points);
+      error.rms_moment, error.points, error.within_bound);
   for (std::size_t r = 0; r < table.ratios().size(); ++r)
     for (std::size_t i = 0; i < table.longitudinal().size(); ++i)
       for (std::size_t j = 0; j < table.lateral().size(); ++j)
         for (std::size_t k = 0; k < table.spin().size(); ++k) {
           const ForceShares& f = table.node(r, i, j, k);
-          text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.7g},{:.7g},{:.7g}\n",
+          const InterpolationBound& bound = table.node_bound(r, i, j, k);
+          text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.7g},{:.7g},{:.7g},{:.2g},{:.2g}\n",
                               table.ratios()[r], table.longitudinal()[i], table.lateral()[j],
-                              table.spin()[k], f.fx, f.fy, f.mz);
+                              table.spin()[k], f.fx, f.fy, f.mz, bound.force, bound.moment);
         }
   return text;
 }
@@ -174,6 +177,8 @@ void run(Options options) {
   answer.add_error("error_moment_rms", "  root of the mean square", error.rms_moment,
                    "of mu N sqrt(a b)");
   answer.add("error_points", "measured at points off the nodes", double(error.points), "");
+  answer.add("within_bound", "  of them within the bound at their place",
+             double(error.within_bound), "", "force_bound and moment_bound of table.csv");
   own.add_to(answer);
   if (!own.known()) compare_with_full(table, options, answer);
   answer.print();
@@ -214,7 +219,10 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "positive "
       "creepage gives a positive force. Columns: a_over_b, the creepages x, y and spin, and fx, fy "
       "and mz, all "
-      "reduced as the header says. A negative longitudinal creepage turns Fx; a negative "
+      "reduced as the header says; force_bound and moment_bound, of which the largest at the "
+      "corners of a cell of nodes is an estimated bound of the error of interpolation in it; the "
+      "answer says at how many points it held. A negative longitudinal "
+      "creepage turns Fx; a negative "
       "lateral one turns "
       "Fy, Mz and the spin to look up. The answer has the error of interpolation against the "
       "theory itself, and the full theory's own error or, for a fast theory, the error of its "

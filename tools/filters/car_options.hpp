@@ -6,7 +6,8 @@
 
 namespace railbook::filters_tool {
 
-// Dimensions and corners, the same names for `simulate` and `process`, so that one TOML file serves both.
+// Dimensions and corners, the same names for `simulate` and `process`, so that one TOML file serves
+// both.
 void add_layout(tool::OptionParser& parser, geometry_car::Layout& layout);
 
 }  // namespace railbook::filters_tool

@@ -96,7 +96,8 @@ double smallest_step(std::vector<double> values) {
   return std::isinf(step) ? 0 : step;
 }
 
-// Codes for lost samples are as large as no neighbour: the first sample of over a hundred times the median, if any.
+// Codes for lost samples are as large as no neighbour: the first sample of over a hundred times the
+// median, if any.
 std::optional<std::size_t> far_off(const std::vector<double>& values) {
   std::vector<double> sizes;
   for (const double v : values)
@@ -108,7 +109,8 @@ std::optional<std::size_t> far_off(const std::vector<double>& values) {
   return found == values.end() ? std::nullopt : std::optional{std::size_t(found - values.begin())};
 }
 
-// What the reading says of places and samples. What it says of values is meant for heights, in metres.
+// What the reading says of places and samples. What it says of values is meant for heights, in
+// metres.
 void add_warnings(tool::Summary& s, const Motion& motion) {
   constexpr std::array of_samples{"counted", "unplaced", "kilometre",
                                   "bridged", "spacing",  "still"};

@@ -15,7 +15,7 @@ values beyond a sensor's range (`--acceleration-range` and so on) and single spi
 window they fall in; columns it has no use for are named. Without a single run long enough for the composite
 filter, or without a parameter that can be measured at all, there is nothing to answer, and the record is refused.
 
-Jumps and stretches without a change are kept and not trusted; `--screen jumps still` masks them. A kink, as the joints of rails make, is no jump.
+Jumps and stretches without a change are kept and not trusted; `--screen codes,jumps,still` masks them. A kink, as the joints of rails make, is no jump.
 
 Then the sensors are tried against themselves and against each other. A channel that stands still, jumps or loses its zero, a gage that no track has, a clock or
 a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a warning printed above the answer and kept under `warnings` in
@@ -24,6 +24,9 @@ length, each with 4096 rows of its neighbours or twice its windows: so the memor
 the stretches where that shows; a zero that has moved, and a speed that leapt, are remembered.
 */
 #include <fmt/format.h>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -237,7 +240,16 @@ void refuse_nothing(const Options& options, const Answer& a, const Stretches& re
                   options.file.string(), fmt::join(why, "; "))};
 }
 
+// The columns of each stretch are of the same sizes: what was freed is kept for the next.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
+
 void process_record(Options options) {
+  keep_freed_memory();
   tool::OutFolder out(options.out,
                       {"geometry.csv", "geometry.json", "warnings.csv", "geometry.png"});
   Processing& p = options.processing;

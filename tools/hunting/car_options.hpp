@@ -1,7 +1,7 @@
 // A car as options of a tool: every datum of the paper's table, in any fitting unit.
 //
-//   add_car_options(options, options);          // --body-mass, --warp-stiffness, --suspension, --pair, --wheel, ...
-//   const CarCase c = read_case(options);       // geometry and quasi-linear car
+//   add_car_options(options, options);     // --body-mass, --suspension, --pair, --wheel, ...
+//   const CarCase c = read_case(options);  // geometry and quasi-linear car
 #pragma once
 
 #include <memory>
@@ -29,13 +29,15 @@ struct CarCase {
   vehicle::QuasiLinearCar car;
   std::vector<ProfileFit> fits;
 };
-// Throws InputError for data that no car has, profiles that do not fit, or a damper given beside friction.
+// Throws InputError for data that no car has, profiles that do not fit, or a damper given beside
+// friction.
 CarCase read_case(const CarOptions& options);
 
 // Where the geometry comes from, its slopes, and the data that are not the paper's.
 void describe_case(tool::Summary& answer, const CarOptions& options, const CarCase& c);
 
-// Flags a first critical speed in the range [m/s] that depends on the smoothing of measured profiles by more than 2 %.
+// Flags a first critical speed in the range [m/s] that depends on the smoothing of measured
+// profiles by more than 2 %.
 void flag_smoothing(tool::Summary& answer, const CarOptions& options, const CarCase& c,
                     double lowest, double highest);
 

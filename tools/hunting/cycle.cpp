@@ -140,7 +140,8 @@ bool any_stable(const std::vector<Found>& found) {
   return std::ranges::any_of(found, [](const Found& f) { return f.cycle.stable; });
 }
 
-// Where no cycle found at a speed is stable: from motions in time. Branches through what they come to join the others.
+// Where no cycle found at a speed is stable: from motions in time. Branches through what they come
+// to join the others.
 Search search_at(Work& w, double speed, const std::vector<Found>& found) {
   std::vector<LimitCycle> known;
   for (const Found& f : found) known.push_back(f.cycle);

@@ -72,7 +72,8 @@ void add_special(tool::Summary& answer, const Family& family, const NamedBranch&
     const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
     const SpecialError error =
         s.located ? special_error(family, named.branch, s, walk) : SpecialError{};
-    // Only from the first branch are others followed, and only to less symmetry or twice the period.
+    // Only from the first branch are others followed, and only to less symmetry or twice the
+    // period.
     const bool leaves = s.kind == CycleEvent::branch_point ||
                         s.kind == CycleEvent::symmetry_breaking ||
                         s.kind == CycleEvent::period_doubling;

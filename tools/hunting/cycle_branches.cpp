@@ -15,7 +15,8 @@ using namespace cycles;
 
 namespace {
 
-// Of points that branches leave at, the one where this branch has come back: it is the same branch from its other end.
+// Of points that branches leave at, the one where this branch has come back: it is the same branch
+// from its other end.
 void erase_end(std::vector<SpecialCycle>& left, const LimitCycleBranch& branch) {
   if (branch.stop != BranchStop::joined || left.empty()) return;
   const auto apart = [&end = branch.points.back()](const SpecialCycle& s) {

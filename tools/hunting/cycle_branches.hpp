@@ -15,7 +15,8 @@ struct NamedBranch {
   cycles::LimitCycleBranch branch;
 };
 
-// Ends the search after a number of points of all branches, the same on every machine; shows the latest point to somebody who waits.
+// Ends the search after a number of points of all branches, the same on every machine; shows the
+// latest point to somebody who waits.
 class PointLimit {
  public:
   explicit PointLimit(long most) : most_(most) {}
@@ -30,7 +31,8 @@ class PointLimit {
   long most_, points_ = 0;
 };
 
-// The branch of a critical speed itself, `number` the lowest being 1, then those that leave it where symmetry breaks or the period doubles.
+// The branch of a critical speed itself, `number` the lowest being 1, then those that leave it
+// where symmetry breaks or the period doubles.
 std::vector<NamedBranch> follow_all(const cycles::Family& family, const vehicle::HopfPoint& hopf,
                                     long number, const cycles::ContinuationOptions& walk,
                                     const PointLimit& limit);

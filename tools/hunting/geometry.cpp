@@ -49,7 +49,8 @@ struct Options : PairOptions {
 
 constexpr double smallest_jump = 1e-4;  // m, along the wheel
 
-// Whole steps up to where the table ends on one side; the end itself where that is less than a step.
+// Whole steps up to where the table ends on one side; the end itself where that is less than a
+// step.
 std::vector<double> amplitudes(const ConstraintFunctions& f, double step) {
   double end = f.end();
   if (!f.symmetric()) {
@@ -111,8 +112,9 @@ void write_files(tool::OutFolder& out, const Options& options, const WheelsetOnT
   out.figure(tools::scripts("hunting") / "geometry.gp", {"wheelset.csv"}, "wheelset.png");
 }
 
-// At which shifts of the table the wheelset stands on a suspected place of a profile, in the file's own coordinates. A rail is turned
-// by its cant when it is put in its place, which moves a point across by less than the margin.
+// At which shifts of the table the wheelset stands on a suspected place of a profile, in the file's
+// own coordinates. A rail is turned by its cant when it is put in its place, which moves a point
+// across by less than the margin.
 std::string stands_on(const Options& options, const WheelsetOnTrack& pair, const ProfileFit& fit,
                       const PointsWarning& warning) {
   constexpr double margin = millimetre;

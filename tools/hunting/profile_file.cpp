@@ -172,7 +172,8 @@ void flag_smoothing(tool::Summary& answer, const PairOptions& options,
 }
 
 ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairOptions& options) {
-  // Far from where the centred wheelset touches: the whole distance for the half, or another gauge's.
+  // Far from where the centred wheelset touches: the whole distance for the half, or another
+  // gauge's.
   const double touches = -pair.contact(0).left.on_rail.u;
   units::require_between("half spacing", options.half_spacing, 0.8 * touches, 1.2 * touches, "m");
   return tabulate(pair, {.half_spacing = options.half_spacing,

@@ -1,10 +1,11 @@
 // Wheel and rail as options of a tool: one of the paper's pairs, or profiles from files.
 //
 //   add_pair_options(options, options);            // --wheel, --rail, --pair, --gauge, ...
-//   const auto [pair, fits] = read_pair(options);  // the contact itself, and how well points were met
-//   const auto table = table_of(pair, options);    // constraint functions, a running mean over options.average
+//   const auto [pair, fits] = read_pair(options);  // the contact, and how well points were met
+//   const auto table = table_of(pair, options);    // constraint functions, their running mean
 //   describe_pair(answer, options, fits);
-//   flag_smoothing(answer, options, fits, {{"conicity_at_3_mm", "conicity at 3 mm", "", 0.05, 0.005}},
+//   flag_smoothing(answer, options, fits,
+//                  {{"conicity_at_3_mm", "conicity at 3 mm", "", 0.05, 0.005}},
 //                  [&](const PairOptions& w) { ... });
 #pragma once
 
@@ -51,7 +52,8 @@ struct ReadPair {
   std::vector<ProfileFit> fits;  // none for the paper's pairs
 };
 
-// Throw InputError naming the file and what is wrong with it, or with the place of the wheelset on the rails.
+// Throw InputError naming the file and what is wrong with it, or with the place of the wheelset on
+// the rails.
 ReadPair read_pair(const PairOptions& options);
 wheelset::ConstraintFunctions table_of(const wheelset::WheelsetOnTrack& pair,
                                        const PairOptions& options);
@@ -60,8 +62,9 @@ wheelset::ConstraintFunctions table_of(const wheelset::WheelsetOnTrack& pair,
 void describe_pair(tool::Summary& answer, const PairOptions& options,
                    const std::vector<ProfileFit>& fits);
 
-// Flags each number that changes by more than both tolerances when the profiles are smoothed half or twice as much, or, with
-// a noise given, as their own scatter asks for. `values` computes them, NaN for none; an InputError of it counts as none at all.
+// Flags each number that changes by more than both tolerances when the profiles are smoothed half
+// or twice as much, or, with a noise given, as their own scatter asks for. `values` computes them,
+// NaN for none; an InputError of it counts as none at all.
 struct Smoothed {
   std::string key, what, unit;
   double relative, absolute;

@@ -1,4 +1,5 @@
-// Motions followed in time at one speed, for the stable cycles that no branch from a critical speed passes.
+// Motions followed in time at one speed, for the stable cycles that no branch from a critical speed
+// passes.
 #pragma once
 
 #include <vector>
@@ -16,8 +17,8 @@ struct Search {
          largest = 0;  // swings of the motions that do not repeat, half of peak to peak [m]
 };
 
-// From each unstable one of the cycles known at the speed, a little larger and a little smaller, and from the two least damped modes of the
-// linear car at three sizes each.
+// From each unstable one of the cycles known at the speed, a little larger and a little smaller,
+// and from the two least damped modes of the linear car at three sizes each.
 Search search_in_time(const cycles::Family& family, const CarCase& car, double speed,
                       const std::vector<cycles::LimitCycle>& known,
                       const cycles::ContinuationOptions& options);

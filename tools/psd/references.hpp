@@ -10,7 +10,8 @@
 
 namespace railbook::psd_tool {
 
-// The rms of both in the waves of 3 to 25 m, where all references hold; of a chord offset, where the chord sees them.
+// The rms of both in the waves of 3 to 25 m, where all references hold; of a chord offset, where
+// the chord sees them.
 void add_references(tool::Summary& summary, const std::vector<std::string>& references,
                     const spectra::Spectrum& own, const spectra::FitOptions& options);
 

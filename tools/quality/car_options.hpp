@@ -1,4 +1,5 @@
-// The options of a vehicle, shared by the tools. Its defaults are the vehicle and the limits of Corbin and Fazio.
+// The options of a vehicle, shared by the tools. Its defaults are the vehicle and the limits of
+// Corbin and Fazio.
 #pragma once
 
 #include <optional>
@@ -26,7 +27,8 @@ struct CarOptions {
 
 void add_car_options(tool::OptionParser& parser, CarOptions& options);
 
-// The descriptor asked for. Throws InputError when data of the mode are missing, given twice, or leave no amplitude.
+// The descriptor asked for. Throws InputError when data of the mode are missing, given twice, or
+// leave no amplitude.
 quality::Descriptor descriptor(const CarOptions& options);
 
 // Speed, limits and corners as lines of the answer.

@@ -6,7 +6,8 @@
 namespace railbook::quality_tool {
 namespace {
 
-// Its words in small letters, letters and digits apart but for d0 to d3; what stands in brackets is the unit.
+// Its words in small letters, letters and digits apart but for d0 to d3; what stands in brackets is
+// the unit.
 std::vector<std::string> words_of(const std::string& header) {
   std::vector<std::string> words;
   std::string word;

@@ -22,7 +22,8 @@ class Deviations {
   void add_twist(double deviation) { twist_ = deviation; }
   const std::vector<double>& of(Kind kind) const { return of_[static_cast<std::size_t>(kind)]; }
 
-  // Of alignment, gauge, cross level and longitudinal level, the means of both rails; nothing where one lacks.
+  // Of alignment, gauge, cross level and longitudinal level, the means of both rails; nothing where
+  // one lacks.
   std::optional<double> combined() const {
     std::vector<double> all;
     for (const std::vector<double>& one : of_) {

@@ -41,8 +41,8 @@ struct Class {
   const char* name = "";
 };
 
-// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap; what has not been measured whole cannot be
-// accepted or watched.
+// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap; what
+// has not been measured whole cannot be accepted or watched.
 std::vector<Class> classes(const IndexAnswer& a) {
   std::vector<Class> result;
   const std::vector<records::FaultyStretch>& faults = a.record.faults();

@@ -34,8 +34,8 @@ struct Place {
   const char* limit = "";
 };
 
-// Beyond this distance (m) from an end or a gap a wave within the limit is not taken for one beyond it: the wavelength of the
-// resonance at posted speed, or more.
+// Beyond this distance (m) from an end or a gap a wave within the limit is not taken for one beyond
+// it: the wavelength of the resonance at posted speed, or more.
 double unsure_margin(const railbook::quality::Descriptor& d,
                      const railbook::filters::FilterTaps& taps);
 

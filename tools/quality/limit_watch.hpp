@@ -19,8 +19,8 @@ namespace railbook::quality_tool {
 
 inline constexpr double standard_gauge = 56.5 * units::inch;
 
-// Gauge as a column gives it: 0 where it is whole, the nominal gauge (m) where it is the deviation from that; nothing where it is
-// neither, whose limits are not known.
+// Gauge as a column gives it: 0 where it is whole, the nominal gauge (m) where it is the deviation
+// from that; nothing where it is neither, whose limits are not known.
 std::optional<double> gauge_datum(std::span<const double> piece, double nominal);
 
 struct WatchOptions {
@@ -29,7 +29,8 @@ struct WatchOptions {
   double nominal_gauge = 0;  // m
 };
 
-// A limit that is left: `size` m (m/m of a twist), the value farthest beyond `bound`, both as the column counts.
+// A limit that is left: `size` m (m/m of a twist), the value farthest beyond `bound`, both as the
+// column counts.
 struct Exceedance {
   const Limit* limit = nullptr;
   quality::Exception place;
@@ -45,7 +46,8 @@ class LimitWatch {
   void push(std::span<const double> piece);
   void finish();
 
-  // In the order of the limits, and along the track. A deviation is judged where its section is half there at the least.
+  // In the order of the limits, and along the track. A deviation is judged where its section is
+  // half there at the least.
   std::vector<Exceedance> exceedances() const;
   bool judges(const Limit& limit) const;
   // Samples of the record that could not be judged for what is missing, bridged or taken out.

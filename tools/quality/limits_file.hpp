@@ -1,5 +1,5 @@
-// A file of limits of track geometry: a row a limit, of a channel, a measure of it, a kind of value, and a class or a range of
-// speeds.
+// A file of limits of track geometry: a row a limit, of a channel, a measure of it, a kind of
+// value, and a class or a range of speeds.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +28,9 @@ struct Limit {
   const char* unit_name() const { return is_twist() ? "mm/m" : "mm"; }
 };
 
-// The limits of a file that hold for some classes (none named: for all) and a speed, m/s. Throws InputError that names the file
-// and the line of what it cannot read, and when no limit is left, or limits depend on the speed and none is given.
+// The limits of a file that hold for some classes (none named: for all) and a speed, m/s. Throws
+// InputError that names the file and the line of what it cannot read, and when no limit is left, or
+// limits depend on the speed and none is given.
 std::vector<Limit> read_limits(const std::filesystem::path& file,
                                const std::vector<std::string>& classes,
                                std::optional<double> speed);

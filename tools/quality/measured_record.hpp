@@ -1,5 +1,5 @@
-// A record of track geometry on its way to the measures of `railbook quality measures`: what is asked for, and what is
-// kept of each column, section by section.
+// A record of track geometry on its way to the measures of `railbook quality measures`: what is
+// asked for, and what is kept of each column, section by section.
 #pragma once
 
 #include <deque>
@@ -32,7 +32,8 @@ struct MeasuresOptions {
   std::string gauge, crosslevel;
   double section = 200, twist_base = 3, nominal_gauge = standard_gauge;
   std::optional<double> chord_mean;
-  // What the columns of level and alignment are: offsets of this chord, filtered to this band ("by-name" too).
+  // What the columns of level and alignment are: offsets of this chord, filtered to this band
+  // ("by-name" too).
   std::string chord, filtered;
   long passes = 2, fra_class = 0;  // 0: none asked for
   std::filesystem::path limits_file;
@@ -40,8 +41,8 @@ struct MeasuresOptions {
   std::optional<double> speed;
   tool::Destination out;
 
-  // Those that are watched, of a file or of the FRA's class, and the FRA's of classes 1 to 5, in their order; read by
-  // measure_track().
+  // Those that are watched, of a file or of the FRA's class, and the FRA's of classes 1 to 5, in
+  // their order; read by measure_track().
   std::vector<Limit> limits, fra_limits;
 };
 
@@ -81,7 +82,8 @@ class Channel {
                                               : 0.5 * fra_chord;
   }
 
-  // The highest FRA class that what is kept of a section allows; NaN where it holds nothing that can be judged.
+  // The highest FRA class that what is kept of a section allows; NaN where it holds nothing that
+  // can be judged.
   double fra_class(std::size_t at) const;
 
  private:

@@ -132,7 +132,8 @@ double modulus_from_chain(const Options& options, TieSupport& support, tool::Sum
   return chain.foundation_modulus;
 }
 
-// Equation (2) smears the ties along the rail. What discrete ties make of it is known exactly; 2 % is the end of its range.
+// Equation (2) smears the ties along the rail. What discrete ties make of it is known exactly; 2 %
+// is the end of its range.
 void discrete_ties(const WinklerBeam& beam, double spacing, tool::Summary& answer) {
   const double reach = std::clamp(beam.beta() * spacing, 1e-3, 50.0);
   const double over = discrete_tie_ratio(reach, LoadPlace::over_tie),

@@ -91,8 +91,8 @@ Measured measure(Options options, const std::filesystem::path& file) {
   return m;
 }
 
-// Wear that is negative beyond its error: the files are not in the same coordinates, or the new rail
-// is another.
+// Wear that is negative beyond its error: the files are not in the same coordinates, or the new
+// rail is another.
 bool swapped(const Number& n) {
   return std::string_view{n.key}.starts_with("wear") && n.value < -n.error - 0.05 * millimetre;
 }

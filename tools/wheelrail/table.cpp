@@ -1,8 +1,9 @@
 /*
 ### `wheelrail table`
 
-A table of one wheel's contact over shift, yaw, load, friction and slip, which a vehicle code can interpolate. Several
-processors or machines share a large table by yaw: run the command once for each (`--yaw-from`, `--yaw-to`, `--yaws`).
+A table of one wheel's contact over shift, yaw, load, friction and slip, which a vehicle code can interpolate. All
+processors share the work; several machines share a large table by yaw: run the command once on each (`--yaw-from`, `--yaw-to`,
+`--yaws`).
 
     wheelrail table --speed 30m/s --shifts 41 --yaws 5 --load 40kN 50kN --mu 0.3 --slip -0.002 0 0.002 --out mine
 
@@ -22,6 +23,7 @@ of what friction bears, or 10 % of the pressure, the row has a warning.
 #include <iterator>
 #include <map>
 #include <memory>
+#include <thread>
 
 #include <railbook/tool/batch.hpp>
 #include <railbook/tool/summary.hpp>
@@ -79,9 +81,10 @@ double apart(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Place& pl
   return bound > 0 ? (a - b).head<2>().norm() / bound : 0;
 }
 
-// The largest error of linear interpolation between two answers, `error_at` a share of the way: at a half and both quarters, and
-// where a quarter's is the largest, at eighths and sixteenths about it. A patch that grows into another bends the forces near one
-// end of a step, where the middle sees a tenth of the error.
+// The largest error of linear interpolation between two answers, `error_at` a share of the way: at
+// a half and both quarters, and where a quarter's is the largest, at eighths and sixteenths about
+// it. A patch that grows into another bends the forces near one end of a step, where the middle
+// sees a tenth of the error.
 double largest_between(const std::function<double(double)>& error_at) {
   double largest = 0, at = 0.5, step = 0.25;
   const auto look = [&](double share) {
@@ -240,8 +243,10 @@ void run(Options options) {
           fmt::format("shift {:.9g} mm, yaw {:.9g} mrad", line.shift / millimetre, 1e3 * line.yaw);
       if (lines.emplace(name, line).second) options.batch.files.emplace_back(name);
     }
-  tool::run_batch(options.batch, options.out, "wheelrail",
-                  [&](const auto& name) { return rows_of(options, read, lines.at(name)); });
+  tool::run_batch(
+      options.batch, options.out, "wheelrail",
+      [&](const auto& name) { return rows_of(options, read, lines.at(name)); },
+      static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 std::function<void()> declare(tool::OptionParser& parser) {

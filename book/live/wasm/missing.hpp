@@ -87,7 +87,7 @@ RAILBOOK_BY_ORDER(sort)
 RAILBOOK_BY_ORDER(stable_sort)
 #undef RAILBOOK_BY_ORDER
 
-// find_if, find_if_not, any_of, all_of.
+// find_if, find_if_not, any_of, all_of, count_if.
 #define RAILBOOK_BY_TEST(name)                                                             \
   template <class R, class T, class P = identity>                                          \
   requires requires(R & r) {                                                               \
@@ -106,6 +106,7 @@ RAILBOOK_BY_TEST(find_if)
 RAILBOOK_BY_TEST(find_if_not)
 RAILBOOK_BY_TEST(any_of)
 RAILBOOK_BY_TEST(all_of)
+RAILBOOK_BY_TEST(count_if)
 #undef RAILBOOK_BY_TEST
 
 template <class R, class X, class L = less, class P = identity>
@@ -134,6 +135,10 @@ template <class R, class X>
 auto count(R&& r, const X& x) {
   return std::count(begin(r), end(r), x);
 }
+template <class R, class X, class P = identity>
+auto find(R&& r, const X& x, P projection = {}) {
+  return std::find_if(begin(r), end(r), [&](auto&& y) { return invoke(projection, y) == x; });
+}
 template <class R, class X>
 void fill(R&& r, const X& x) {
   std::fill(begin(r), end(r), x);
@@ -145,6 +150,10 @@ void reverse(R&& r) {
 template <class R, class O>
 void copy(R&& r, O out) {
   std::copy(begin(r), end(r), out);
+}
+template <class R, class O>
+void move(R&& r, O out) {
+  std::move(begin(r), end(r), out);
 }
 template <class R, class O, class F>
 void transform(R&& r, O out, F f) {

@@ -7,7 +7,8 @@
 namespace railbook::contact_chapter::detail {
 namespace {
 
-// Fig. 4: the zero of the side-lying parabola through the last two or three points, p falling outward.
+// Fig. 4: the zero of the side-lying parabola through the last two or three points, p falling
+// outward.
 double extrapolate(const Eigen::VectorXd& s, const Eigen::VectorXd& p, Fit fit) {
   const auto n = p.size();
   const double pm = p[n - 2], pn = p[n - 1], sm = s[n - 2], sn = s[n - 1];

@@ -45,7 +45,8 @@ ColumnMesh first_mesh(const Problem& q) {
   return mesh;
 }
 
-// Half of the gap is never asked, so that an unsymmetric one would give a number that means nothing.
+// Half of the gap is never asked, so that an unsymmetric one would give a number that means
+// nothing.
 void require_symmetry(const Problem& q, const ColumnMesh& mesh) {
   const auto same = [&](double f, double mirrored, const char* axis) {
     if (std::abs(f - mirrored) > 1e-6 * q.approach)
@@ -105,7 +106,8 @@ void keep_on_the_bodies(const Problem& q, ColumnMesh& mesh) {
   }
 }
 
-// The deepest overlap just outside the region, as a share of the approach: inequality (4) asks for none.
+// The deepest overlap just outside the region, as a share of the approach: inequality (4) asks for
+// none.
 double deepest_outside(const Problem& q, const CountactStep& step) {
   const ColumnMesh& mesh = step.mesh;
   const CellNumbers& cells = q.cells;
@@ -127,7 +129,8 @@ double deepest_outside(const Problem& q, const CountactStep& step) {
   return deepest;
 }
 
-// Whether the pressure rises towards a boundary beyond which the bodies go on, and the same at a sharp edge.
+// Whether the pressure rises towards a boundary beyond which the bodies go on, and the same at a
+// sharp edge.
 struct Stuck {
   bool unresolved = false;
   bool sharp = false;
@@ -198,7 +201,8 @@ void describe(const Problem& q, const std::vector<CountactStep>& history, Normal
   list_cells(q.cells, step, c);
 }
 
-// How much of each move is made: all of it, and less once the boundary swings without coming to rest.
+// How much of each move is made: all of it, and less once the boundary swings without coming to
+// rest.
 class Damping {
  public:
   double share() const { return share_; }
@@ -228,7 +232,8 @@ std::string reason_to_stop(const Problem& q, const CountactStep& step, const Col
   return "";
 }
 
-// The loop: pressures on the mesh, the boundary where they vanish, a new mesh; until the boundary rests.
+// The loop: pressures on the mesh, the boundary where they vanish, a new mesh; until the boundary
+// rests.
 std::string iterate(const Problem& q, std::vector<CountactStep>& history) {
   ColumnMesh mesh = first_mesh(q);
   const ColumnMesh first = mesh;

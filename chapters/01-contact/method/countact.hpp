@@ -1,7 +1,9 @@
-// COUNTACT: the simply discretized method on a mesh that is fitted anew to every candidate contact region.
+// COUNTACT: the simply discretized method on a mesh that is fitted anew to every candidate contact
+// region.
 //
-// The region is symmetric about x, and cut into columns; each column of half width c is cut into `rows` equal
-// cells of constant pressure. COUNTACT-1 uses this one symmetry, COUNTACT-2 also that about y.
+// The region is symmetric about x, and cut into columns; each column of half width c is cut into
+// `rows` equal cells of constant pressure. COUNTACT-1 uses this one symmetry, COUNTACT-2 also that
+// about y.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +16,8 @@ namespace railbook::contact_chapter {
 
 using contact::Gap, contact::NormalContact;
 
-// How the x diameter is cut: column edges as fractions. Either `whole` alone, from 0 (x_min) to 1 (x_max),
-// or `left` and `right`, from 0 (the origin) to 1 (that end): then an edge stays on x = 0.
+// How the x diameter is cut: column edges as fractions. Either `whole` alone, from 0 (x_min) to 1
+// (x_max), or `left` and `right`, from 0 (the origin) to 1 (that end): then an edge stays on x = 0.
 struct Columns {
   std::vector<double> whole;
   std::vector<double> left, right;
@@ -24,8 +26,9 @@ struct Columns {
 // n >= 3 columns of one width over the whole diameter, as in the paper's Fig. 2.
 Columns uniform_columns(int n);
 
-// Two widths on each side of the origin (the paper's footnote 1): `wide` columns next to the origin and
-// `narrow` ones over the outer `share` (0 < share < 1) of the side; narrow = 0 leaves equal columns.
+// Two widths on each side of the origin (the paper's footnote 1): `wide` columns next to the origin
+// and `narrow` ones over the outer `share` (0 < share < 1) of the side; narrow = 0 leaves equal
+// columns.
 struct Side {
   int wide = 0;
   int narrow = 0;
@@ -33,8 +36,9 @@ struct Side {
 };
 Columns split_columns(const Side& left, const Side& right);
 
-// `left` and `right` columns (each >= 1) on the two sides of the origin, whose width falls smoothly to about half the
-// mean towards the origin and towards the end: the mean of equal and of cosine spacing.
+// `left` and `right` columns (each >= 1) on the two sides of the origin, whose width falls smoothly
+// to about half the mean towards the origin and towards the end: the mean of equal and of cosine
+// spacing.
 Columns graded_columns(int left, int right);
 
 // How the pressure is continued to zero beyond the outermost cells of a column (Fig. 4).
@@ -80,19 +84,20 @@ struct CountactResult {
   std::vector<CountactStep> history;
 };
 
-// Solves the normal contact at approach delta [m] (<= 0: empty, without history) for a gap that is symmetric about the x axis
-// (COUNTACT-1) or about both axes (COUNTACT-2; its columns must be symmetric too); only that half or quarter
-// is solved. effective_modulus E* [Pa]. The first region is the interpenetration curve. Throws InputError on
-// bad input, a gap without the symmetry, or a matrix larger than most_bytes; every failure of the iteration
-// is in the result. F and p_max are second order in the cell size, the boundary first order; no error
-// estimate of its own (NaN).
+// Solves the normal contact at approach delta [m] (<= 0: empty, without history) for a gap that is
+// symmetric about the x axis (COUNTACT-1) or about both axes (COUNTACT-2; its columns must be
+// symmetric too); only that half or quarter is solved. effective_modulus E* [Pa]. The first region
+// is the interpenetration curve. Throws InputError on bad input, a gap without the symmetry, or a
+// matrix larger than most_bytes; every failure of the iteration is in the result. F and p_max are
+// second order in the cell size, the boundary first order; no error estimate of its own (NaN).
 [[nodiscard]] CountactResult countact_1(const Gap& gap, double approach, double effective_modulus,
                                         const CountactOptions& options = {});
 [[nodiscard]] CountactResult countact_2(const Gap& gap, double approach, double effective_modulus,
                                         const CountactOptions& options = {});
 
-// The matrix b_ij [m] of eq. (14) on a mesh, folded over its symmetry: unknowns are numbered from the axis
-// outward in each column, columns from left to right (both_axes: from the axis to the right).
+// The matrix b_ij [m] of eq. (14) on a mesh, folded over its symmetry: unknowns are numbered from
+// the axis outward in each column, columns from left to right (both_axes: from the axis to the
+// right).
 Eigen::MatrixXd countact_matrix(const ColumnMesh& mesh, int rows, bool both_axes);
 
 }  // namespace railbook::contact_chapter

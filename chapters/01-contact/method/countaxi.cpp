@@ -71,7 +71,8 @@ class RadiusSearch {
  public:
   explicit RadiusSearch(double first) : high_{first} {}
 
-  // The next radius, after `radius` asked for `move`; stuck: a rising edge pressure asks for more, not how much.
+  // The next radius, after `radius` asked for `move`; stuck: a rising edge pressure asks for more,
+  // not how much.
   double next(double radius, double move, bool stuck) {
     (move > 0 || stuck ? low_ : high_) = radius;
     double candidate =

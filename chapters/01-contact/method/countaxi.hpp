@@ -1,4 +1,5 @@
-// COUNTAXI: the simply discretized method for bodies of revolution about the common normal, on rings.
+// COUNTAXI: the simply discretized method for bodies of revolution about the common normal, on
+// rings.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,10 +33,11 @@ struct RingContact {
   std::string reason;  // why not converged, or a note on a sharp edge
 };
 
-// Solves the contact at approach delta [m] (<= 0: empty, see empty_contact) of a gap f(r) = gap(r, 0) that grows outward, over a disc; its
-// first radius is that of the interpenetration curve. effective_modulus E* [Pa]. Coefficients by the complete
-// elliptic integrals K and E. Throws InputError on bad input; a failed iteration is in the result. F is second
-// order in the ring width; the error of the steepest pressures depends on the rings that resolve them.
+// Solves the contact at approach delta [m] (<= 0: empty, see empty_contact) of a gap f(r) = gap(r,
+// 0) that grows outward, over a disc; its first radius is that of the interpenetration curve.
+// effective_modulus E* [Pa]. Coefficients by the complete elliptic integrals K and E. Throws
+// InputError on bad input; a failed iteration is in the result. F is second order in the ring
+// width; the error of the steepest pressures depends on the rings that resolve them.
 [[nodiscard]] RingContact countaxi(const Gap& gap, double approach, double effective_modulus,
                                    const CountaxiOptions& options = {});
 

@@ -128,7 +128,8 @@ double cell_centre(const ColumnMesh& mesh, const CellNumbers& cells, Eigen::Inde
   return (k + (cells.rows % 2 == 1 ? 0.0 : 0.5)) * cell_height(mesh, cells, j);
 }
 
-// Cells of a column share their edges in y, so a column of n cells needs 2 (n + 1) corners and not 4 n.
+// Cells of a column share their edges in y, so a column of n cells needs 2 (n + 1) corners and not
+// 4 n.
 void influence_row(const ColumnMesh& mesh, const CellNumbers& cells, double x, double y,
                    Eigen::VectorXd& row) {
   row.setZero();

@@ -1,4 +1,5 @@
-// The parts of COUNTACT that do not iterate: mesh, coefficients, boundary. Not for use outside this folder, but for its tests.
+// The parts of COUNTACT that do not iterate: mesh, coefficients, boundary. Not for use outside this
+// folder, but for its tests.
 #pragma once
 
 #include <string>
@@ -24,7 +25,8 @@ struct CellNumbers {
   int size() const { return half_rows * unknown_columns; }
 };
 
-// The numbering for these options; throws InputError when they make no sense or need too much memory.
+// The numbering for these options; throws InputError when they make no sense or need too much
+// memory.
 CellNumbers number_cells(const CountactOptions& options, bool both_axes);
 
 double column_centre(const ColumnMesh& mesh, Eigen::Index j);
@@ -46,7 +48,8 @@ Eigen::VectorXd place_columns(const Columns& columns, double x_min, double x_max
 // The half width of the interpenetration curve at x, 0 outside it.
 double interpenetration_half_width(const Gap& gap, double approach, double x);
 
-// Where the pressure falls to zero on an outward line of positions s with pressures p, p[0] > 0 (Figs 3 and 4).
+// Where the pressure falls to zero on an outward line of positions s with pressures p, p[0] > 0
+// (Figs 3 and 4).
 struct Zero {
   double at;
   int positive;  // leading points of positive pressure
@@ -55,8 +58,8 @@ struct Zero {
 Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary, Fit fit,
                bool inward_only);
 
-// Fills the new boundary of a step from its pressures (Figs 3 and 4), makes `share` of each move, and returns the
-// mesh that follows (eq. 17). A reason that is not empty means failure.
+// Fills the new boundary of a step from its pressures (Figs 3 and 4), makes `share` of each move,
+// and returns the mesh that follows (eq. 17). A reason that is not empty means failure.
 struct Update {
   ColumnMesh mesh;
   std::string reason;

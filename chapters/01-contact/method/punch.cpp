@@ -74,8 +74,9 @@ double punch_pressure(const PunchContact& c, double r) {
   // a^2 - r^2, kept exact near the end of the contact.
   const double reach = c.s * c.s - (r - b) * (r + b);
   if (reach <= 0) return 0;
-  // The integral over t from max(r, b) to a of w(t)/sqrt(t^2 - r^2), w = s_t + L(s_t), s_t^2 = t^2 - b^2.
-  // With e^2 = |r^2 - b^2|, s_t = e sinh u (r < b) or e cosh u (r > b) makes the integrand smooth in u.
+  // The integral over t from max(r, b) to a of w(t)/sqrt(t^2 - r^2), w = s_t + L(s_t), s_t^2 = t^2
+  // - b^2. With e^2 = |r^2 - b^2|, s_t = e sinh u (r < b) or e cosh u (r > b) makes the integrand
+  // smooth in u.
   const double e = std::sqrt(std::abs(r - b) * (r + b));
   const bool inside = r < b;
   const double top = inside ? c.s : std::sqrt(reach);
@@ -99,8 +100,9 @@ PunchPeak punch_peak(const PunchContact& c) {
   const double b = c.shape.flat_radius;
   if (c.shape.edge_radius == 0) return {b, std::numeric_limits<double>::infinity()};
   if (b == 0) return {0, punch_pressure(c, 0)};
-  // The pressure has one maximum between b and a. Golden sections in the offset from b come as near as the flat top
-  // lets them see, then Newton's steps on the derivative, by differences of sixth order over a hundredth of the offset.
+  // The pressure has one maximum between b and a. Golden sections in the offset from b come as near
+  // as the flat top lets them see, then Newton's steps on the derivative, by differences of sixth
+  // order over a hundredth of the offset.
   const auto at = [&](double offset) { return punch_pressure(c, b + offset); };
   constexpr double golden = 0.6180339887498949;
   double low = 0, high = c.edge_width;

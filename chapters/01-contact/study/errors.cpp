@@ -1,10 +1,14 @@
 /*** ## Can the stated error be trusted?
 
-Yes, in {{estimates-force-covered}} forces and {{estimates-peak-covered}} peaks. CG-FFT states an
-error of both. {{drawn}} contacts of closed form were drawn at random: Hertz's of any slenderness,
-along the axes and turned, and punches with rounded edges, on 32 to 48 cells a side. Of these the
-solver called {{estimates-force-unresolved}} under-resolved, without a number for the force, and
-{{estimates-peak-unresolved}} for the peak. The others:
+Yes, as a bound: CG-FFT states an error of the force and of the peak, and the true one was smaller
+in {{estimates-force-covered}} forces and {{estimates-peak-covered}} peaks. For this test {{drawn}}
+contacts with a closed form were drawn at random: Hertz's of any slenderness, along the axes and
+turned, and punches with rounded edges, on 32 to 48 cells a side. None of them has a jump of the
+radius, for which there is no closed form. The solver called {{estimates-force-unresolved}} of the
+{{drawn}} *under-resolved*, that is with too few cells to state a force, and
+{{estimates-peak-unresolved}} for the peak. The figures show the others. The stated error
+is more than ten times the true one in {{estimates-force-wide}} of the forces and
+{{estimates-peak-wide}} of the peaks.
 
 {{estimates-force}}
 
@@ -13,8 +17,9 @@ solver called {{estimates-force-unresolved}} under-resolved, without a number fo
 ## How many digits do the closed forms have?
 
 The closed forms against extended precision (80 bits), at {{arguments}} arguments each. $b/a$ is the
-ratio of the half-widths of Hertz's ellipse, $\mathrm K$ and its part $\mathrm D$ are the elliptic integrals of his
-formulas, $r/c$ and $y/x$ are places on the plane:
+ratio of the half-widths of Hertz's ellipse, $\mathrm K$ and its part $\mathrm K_a$ are the elliptic
+integrals of his formulas, $r$ is the distance from the middle of a disc of radius $c$, and $(x,y)$
+the corner of a cell:
 
 {{digits}}
 
@@ -22,6 +27,7 @@ formulas, $r/c$ and $y/x$ are places on the plane:
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <railbook/bench/evidence.hpp>
@@ -100,11 +106,15 @@ void estimates(report::Item& item, const std::vector<bench::Estimate>& runs) {
              fmt::format("{:.1f} % of {}", 100 * bench::covered(runs), runs.size()));
   item.value(item.id() + "-unresolved", static_cast<double>(drawn(item) - runs.size()), "",
              "{:.0f}");
+  const auto wide = std::ranges::count_if(
+      runs, [](const bench::Estimate& run) { return run.stated > 10 * run.truth; });
+  item.value(item.id() + "-wide", 100 * double(wide) / double(runs.size()), "%", "{:.0f}");
   double worst = 0;
   for (const bench::Estimate& run : runs) worst = std::max(worst, run.truth / run.stated);
   item.stability(
       {.id = item.id() + "-worst",
-       .what = fmt::format("the worst of {} random contacts", runs.size()),
+       .what = fmt::format("the {} of the worst of {} random contacts",
+                           item.id() == "estimates-force" ? "force" : "peak", runs.size()),
        .stress = "slenderness, direction, rounded edges, few cells",
        .allowed = 2,
        .reference = "true over stated error; a bound that holds in 95 of 100 is passed by "
@@ -149,13 +159,13 @@ void digits(report::Item& item) {
   std::vector<bench::Digits> rows;
   const auto row = [&](const char* id, const char* function, double allowed, bool slender,
                        auto value, auto exact) {
-    rows.push_back(bench::worst_digits(
-        {.id = id,
-         .function = function,
-         .range = slender ? "b/a from 1 to 1e-17" : "1e-3 to 1e3",
-         .against = "Landen's transformation and asinh in 80 bits; the bound is the header's",
-         .allowed = allowed},
-        slender ? logs : ratios, value, exact));
+    rows.push_back(bench::worst_digits({.id = id,
+                                        .function = function,
+                                        .range = slender ? "b/a from 1 to 1e-17" : "1e-3 to 1000",
+                                        .against = "Landen's transformation and asinh in 80 bits; "
+                                                   "the bound is the one that the library states",
+                                        .allowed = allowed},
+                                       slender ? logs : ratios, value, exact));
   };
   const auto force = [](double t) {
     const Integrals i = extended(t);
@@ -171,8 +181,8 @@ void digits(report::Item& item) {
       "k", "the integral K", 1e-15, true, [](double t) { return elliptic_integrals(t).k; },
       [](double t) { return extended(t).k; });
   row(
-      "d", "the integral D", 1e-15, true, [](double t) { return elliptic_integrals(t).d; },
-      [](double t) { return extended(t).d; });
+      "d", "the part K<sub>a</sub> of K", 1e-15, true,
+      [](double t) { return elliptic_integrals(t).d; }, [](double t) { return extended(t).d; });
   row("hertz", "Hertz's force, from the curvatures", 1e-13, true, force, hertz_force);
   row(
       "disc", "a disc, from r/c", 5e-15, false, [](double r) { return disc_influence(1, r); },
@@ -189,19 +199,10 @@ void digits(report::Item& item) {
 }  // namespace
 
 const report::Section errors{
-    report::figure(
-        "estimates-force",
-        "The true error of the force is almost always below the stated one. Each point is a "
-        "contact drawn at random; below the diagonal the stated error is the larger.",
-        [](report::Item& item) { estimates(item, random_contacts(item).force); }),
-    report::figure(
-        "estimates-peak",
-        "The true error of the peak is almost always below the stated one. Each point is a contact "
-        "drawn at random; below the diagonal the stated error is the larger.",
-        [](report::Item& item) { estimates(item, random_contacts(item).peak); }),
-    report::table("digits",
-                  "The closed forms hold all but one or two of their digits. Largest difference "
-                  "from extended precision.",
-                  digits)};
+    report::figure("estimates-force",
+                   [](report::Item& item) { estimates(item, random_contacts(item).force); }),
+    report::figure("estimates-peak",
+                   [](report::Item& item) { estimates(item, random_contacts(item).peak); }),
+    report::table("digits", digits)};
 
 }  // namespace railbook::contact_chapter

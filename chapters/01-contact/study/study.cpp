@@ -2,8 +2,12 @@
 
 ## Error against run time: which method?
 
-The best method stands at the lower left of a panel; the sentence above it names the fastest one for
-three errors.
+The curves of the best method stand at the lower left of a panel. The first sentence above each
+panel names the fastest method for each of three errors. A setting counts only if its error plus the
+uncertainty of the reference is below the wanted error, and so for all finer settings. Of a method
+the setting with the least work is named, and methods are compared by the fastest of their runs: the
+medians in the panels are disturbed by whatever else the computer did, which is why some curves fold
+back.
 
 {{include: cost.cpp}}
 
@@ -13,7 +17,8 @@ three errors.
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
 in the way stated, and is *refused* when the program says why it has no number. Bodies that never
-separate, gaps that are not numbers and grids beyond memory are refused as input.
+separate, gaps that are not numbers and grids beyond memory are refused as input. One case degrades
+without a warning: COUNTACT-1 finds one of two distant patches and does not see the other.
 
 {{stability}}
 

@@ -1,10 +1,10 @@
 // The paper's own way to a limit cycle: eigenvectors inside, speed outside (Hull and Cooperrider
 // 1977, Fig. 10).
 //
-// Inner loop: gains from the present shape and frequency, eigenvectors of the car with these gains, one of the
-// least damped taken as the next shape and scaled to the amplitude wanted, until it reproduces itself. Outer
-// loop: the speed by linear extrapolation of the growth rate to zero. It fails where eigenvectors of nearly
-// equal modes take turns; the result says what it did.
+// Inner loop: gains from the present shape and frequency, eigenvectors of the car with these gains,
+// one of the least damped taken as the next shape and scaled to the amplitude wanted, until it
+// reproduces itself. Outer loop: the speed by linear extrapolation of the growth rate to zero. It
+// fails where eigenvectors of nearly equal modes take turns; the result says what it did.
 #pragma once
 
 #include <railbook/vehicle/linear_stability.hpp>

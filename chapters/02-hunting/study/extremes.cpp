@@ -29,7 +29,8 @@ Found slow() {
           (exact.y - implicit.y).head(9).lpNorm<Eigen::Infinity>() / inch};
 }
 
-// The second quartering of the rate changes the amplitude less than the first: by a quarter if the error is of first order.
+// The second quartering of the rate changes the amplitude less than the first: by a quarter if the
+// error is of first order.
 Found stick() {
   const CycleCase usual = cycle_case("friction", 90);
   // The amplitude with a part of the usual sticking rate, refined from the usual one's cycle.
@@ -113,7 +114,8 @@ Found no_mean() {
   return {"a branch", 1};
 }
 
-// The stable cycle that the branch has at a speed, in creep that saturates on the flange, against where a motion ends.
+// The stable cycle that the branch has at a speed, in creep that saturates on the flange, against
+// where a motion ends.
 Found saturated() {
   const Vehicle& v = vehicle("new");
   const CreepLimit creep{0.5, {}};
@@ -152,10 +154,11 @@ Found nearly_double() {
 
 void extremes(report::Item& item) {
   using report::degraded, report::accurate, report::refused;
-  item.stability({"slow", "V = 1 ft/s",
-                  "creep decays in tens of microseconds, the car weaves with a period of a minute",
-                  accurate, 1e-5, "exact pieces, in"},
-                 slow);
+  item.stability(
+      {"slow", "V = 1 ft/s",
+       "creep decays in tens of microseconds, the car weaves with a period of over a minute",
+       accurate, 1e-5, "exact pieces, in"},
+      slow);
   item.stability(
       {"stick", "CN wheels with friction, 90 ft/s, sticking rate 1/4 and 1/16",
        "friction sticks below ever smaller rates: the second change of the amplitude over "

@@ -8,15 +8,15 @@ sliding, the sticking rate, and damps with one over that rate.
 
 {{stiffness}} shows what each integrator needs for a slow car over a tenth of its period of hunting,
 and for the car with friction at 90 ft/s over a quarter of a second, with an error below 1e-4 of the
-largest coordinate. Each cost is that of the largest tolerance, in decades from 1e-2 down, that
-reaches this error. Exact pieces always work at 1e-12 or less, whatever is asked, so they have one
-cost. The reference is exact pieces at 1e-13, which shares its method with them. At 1 ft/s its
-difference from the implicit method at 1e-8, which shares nothing with it, is {{stiff-reference}}.
+largest coordinate. Each cost is that of the largest tolerance, in decades from 1e-2 down, that reaches this error. Exact
+pieces work at a tolerance of 1e-12 at least, whatever is asked, so they have one cost. The
+reference is exact pieces at 1e-13, so it shares its method with them. At 1 ft/s its difference from
+the implicit method at 1e-8, which works in another way, is {{stiff-reference}}.
 
 {{stiffness}}
 
-{{speed-answer}} {{sticking-answer}} The explicit method and the Taylor series of the pieces must
-follow the fastest decay, whatever it does to the motion. The implicit method takes steps of the
+{{speed-answer}} {{sticking-answer}} The explicit method and the Taylor series of the pieces must take steps as short as the fastest
+decay, even when that decay no longer matters to the motion. The implicit method takes steps of the
 motion's own size, and pays for each with a factorization.
 
 {{fold}}
@@ -88,8 +88,8 @@ Cost cost_at_error(const Case& c, const History& reference, Integrator integrato
   return {};
 }
 
-// Adds the costs of the cases, in order of falling stiffness, and where the implicit method's cost, in time or, untimed, in
-// steps, meets the explicit one's.
+// Adds the costs of the cases, in order of falling stiffness, and where the implicit method's cost,
+// in time or, untimed, in steps, meets the explicit one's.
 std::string compare(report::Item& item, const char* name, const std::vector<Case>& cases,
                     const char* what, const char* unit) {
   auto& data = item.data(
@@ -163,11 +163,6 @@ void stiff(report::Item& item) {
 
 }  // namespace
 
-const report::Section stiffness{report::figure(
-    "stiffness",
-    "A slow car, or one that sticks, needs the implicit method. Left of the dotted lines the "
-    "implicit method takes less time than the explicit one. Cost at an error of 1e-4 against "
-    "speed, with linear creep, and against the rate below which friction sticks.",
-    stiff)};
+const report::Section stiffness{report::figure("stiffness", stiff)};
 
 }  // namespace railbook::hunting_chapter

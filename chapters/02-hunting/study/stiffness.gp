@@ -2,6 +2,7 @@
 # alt: Run time against speed and against sticking rate on logarithmic axes: the implicit method is level, the explicit one and exact
 # alt: pieces rise steeply where the car is stiff.
 load "style.gp"
+set minussign
 set output ARG2
 set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 timed = 0

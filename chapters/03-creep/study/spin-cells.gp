@@ -1,4 +1,4 @@
-# alt: Three panels of errors against cells on double logarithmic axes, for the two forces and the moment; the six cases fall with about the square of the cells along.
+# alt: Three panels of errors against cells on double logarithmic axes, for the two forces and the moment; the errors of the six cases fall with more cells, not evenly.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 1100,440 font "DejaVu Sans,13" enhanced background rgb "white"

@@ -2,38 +2,47 @@
 ### Which way of making the long chord should I take?
 
 The task is the 62-ft chord with the high-pass, from short offsets. The input is synthetic track,
-rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference
-has no error but one rounding. It shares its weights with the first two methods and nothing with the
-others. The error is the largest difference over the root mean square (RMS) of the answer. All methods get the same array and return another; making weights and plans is counted.
+rounded to whole units of $2^{-34}$ m, so that the exact answer can be computed in integers: the
+reference has no error but one rounding at the end. It uses the same weights as the first two
+methods and shares nothing with the others. The error is the largest difference divided by the RMS
+of the exact answer. All methods get the same array and return a new one. The time includes what a
+method prepares: its weights, and the tables of a transform.
 
-* **weights**: all 661, vectorised.
-* **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this
-  length.
+* **weights**: each output is a sum of all 661 weighted samples; the processor adds several at once
+  (vectorised).
+* **transforms**: Fourier transforms of overlapping blocks of 8192 samples, as signal libraries do
+  it for a filter of this length.
 * **sums**: two running sums of 31 samples and four of 151, one after the other, started anew every
   4096 samples.
-* **stream**: the class of the library, which gives the space curve besides, and masks what is
-  missing.
+* **stream**: the class `GeometryChain` of this project's library. It sums as above in blocks of
+  4096, also gives the space curve (the path of the rail without its long waves), and leaves out
+  what is missing.
 
 {{cost-length}}
 
-{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums, although
-they are vectorised. The worst error found is {{rounding-found}}
-({{outcome:cost-length/as-double}}), so that every method is accurate enough for any track. Take the
-**stream**, which can do more than the others, unless another is much cheaper on your machine.
+{{length-answer}} A busy machine makes such times uncertain, as their quartiles show; differences
+below a factor of three mean little. The operations a sample do not depend on it:
+{{operations-answer}}. The worst error found is {{rounding-found}}
+({{outcome:cost-length/as-double}}), far below what a sensor resolves, so that accuracy does not
+decide. Take the **sums** where the chord is all that you want. Take the **stream** where samples
+are missing or the space curve is wanted too: it takes twice the operations.
+
+{{work-precision: cost-length}}
 
 ### How long may a running sum run?
 
 Sums that are never started anew keep every rounding. Here the same samples come over and over, with
-the exact answer known, through a filter in floating point that never restarts; at level `full` up
-to $10^9$ samples:
+the exact answer known, through a filter that never restarts. It is made either of six running sums
+alone, or with two *integrators* ahead of them, which add up all samples since the start, as a plain
+double integration of an acceleration does:
 
 {{cost-drift}}
 
 {{drift-answer}} The input is in whole units, so that a double adds it without error until a sum
 passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit
-integers there is no error at any length. {{outcome:cost-drift/integers}} So start running sums
-anew, and never integrate along the track in floating point. The library does the first and not the
-second.
+integers there is no error at any length {{outcome:cost-drift/integers}}. So do not integrate along
+the track in single precision. In double precision both ways are good for any record; a filter that
+is to run for ever should start its sums anew, as the library's do.
 
 {{fold}}
 */
@@ -97,7 +106,8 @@ double metres(Number value) {
     return static_cast<double>(value) * whole / (2 * M_power);
 }
 
-// The n - 660 outputs that have their whole window, m: exact in integers that wrap, rounded once at the end.
+// The n - 660 outputs that have their whole window, m: exact in integers that wrap, rounded once at
+// the end.
 std::vector<double> exact_composite(const std::vector<std::int64_t>& x) {
   const auto taps = integers();
   std::vector<Word> sums(x.size() - window + 1);
@@ -116,7 +126,8 @@ Values weights() {
   return taps;
 }
 
-// A block of outputs stays in the cache while all weights pass over it; the inner loop is vectorised.
+// A block of outputs stays in the cache while all weights pass over it; the inner loop is
+// vectorised.
 Values by_weights(const Values& x) {
   const auto taps = weights();
   Values out(x.size() - window + 1);
@@ -193,7 +204,7 @@ bench::Method method(const char* name, double operations, const std::map<int, Sa
                         for (std::size_t i = 0; i < chord.size(); ++i)
                           worst = std::max(worst, std::abs(chord[i] - s.exact.at(i)));
                         // One plus the error, against a reference of one.
-                        return {{1 + worst / rms(s.exact)}, operations * n, true, ""};
+                        return {{1 + worst / rms(s.exact)}, std::round(operations * n), true, ""};
                       })
       .labelled("{} samples")
       .counts("operations");
@@ -233,10 +244,12 @@ void cost_length(report::Item& item) {
   item.add(points);
   item.value("length-answer",
              item.timings()
-                 ? fmt::format("In a record of {} samples each takes, in nanoseconds: {}.",
+                 ? fmt::format("In a record of {} samples each takes, in nanoseconds a sample: {}.",
                                thousands(static_cast<std::size_t>(longest)), times)
                  : "(They were not timed.)");
-  item.value("weights-over-sums", weights_cost / sums_cost, "times", "{:.0f}");
+  item.value("operations-answer",
+             fmt::format("sums {:.0f}, stream {:.0f}, transforms {:.0f}, weights {:.0f}", sums_cost,
+                         2 * sums_cost, transforms_cost, weights_cost));
   item.expect_checks(1);
   item.at_most("as-double", "largest error of any method over the RMS", "", worst, 1e-9,
                "a billionth of the RMS, which no sensor resolves");
@@ -258,7 +271,7 @@ struct Window {
   }
 };
 
-/*** How the filter may run on for ever: six running sums, or two integrators ahead of them. */
+// How the filter may run on for ever: six running sums, or two integrators ahead of them.
 enum class Endless { sums, integrators };
 
 // The numerator over 2 M^p of the newest output.
@@ -286,7 +299,8 @@ struct EndlessFilter {
   }
 };
 
-// The largest error, m, among the samples from one count to the next of `counts` (ascending), fed with `period` over and over.
+// The largest error, m, among the samples from one count to the next of `counts` (ascending), fed
+// with `period` over and over.
 template <class Number>
 Values drift(Endless way, const std::vector<std::int64_t>& period,
              const std::vector<std::size_t>& counts) {
@@ -329,17 +343,17 @@ void cost_drift(report::Item& item) {
     const bool kept = lost == errors.end();
     const auto at = kept ? counts.size() - 1 : static_cast<std::size_t>(lost - errors.begin());
     (kept ? kept_by : lost_by) +=
-        fmt::format("{}{}{}", (kept ? kept_by : lost_by).empty() ? "" : " and ", name,
-                    kept ? "" : fmt::format(" within {} samples", thousands(counts[at])));
+        fmt::format("{}{}{}", (kept ? kept_by : lost_by).empty() ? "" : ", ", name,
+                    kept ? "" : fmt::format(" ({} samples)", thousands(counts[at])));
   };
   run("sums in single precision", drift<float>(Endless::sums, period, counts));
   run("sums in double precision", drift<double>(Endless::sums, period, counts));
   run("integrators in single precision", drift<float>(Endless::integrators, period, counts));
   run("integrators in double precision", drift<double>(Endless::integrators, period, counts));
   item.value("drift-answer",
-             fmt::format("An error of a thousandth of the RMS is reached by {}; {} do not reach it "
-                         "in {} samples.",
-                         lost_by, kept_by, thousands(counts.back())));
+             fmt::format("These reach an error of a thousandth of the RMS: {}. These do not, in {} "
+                         "samples: {}.",
+                         lost_by, thousands(counts.back()), kept_by));
   const auto integers = drift<Word>(Endless::integrators, period, counts);
   item.expect_checks(1);
   item.at_most("integers", "error of integrators in 64-bit integers", "m",
@@ -350,15 +364,7 @@ void cost_drift(report::Item& item) {
 
 }  // namespace
 
-const report::Section cost{
-    report::figure(
-        "cost-length",
-        "Sums and stream cost least at every length, and all methods are accurate. Left, "
-        "time a sample with its quartiles; right, the largest error over the RMS.",
-        cost_length),
-    report::figure("cost-drift",
-                   "Integrators in floating point drift away, and running sums less so. Largest "
-                   "error over the RMS against the samples since the start.",
-                   cost_drift)};
+const report::Section cost{report::figure("cost-length", cost_length),
+                           report::figure("cost-drift", cost_drift)};
 
 }  // namespace railbook::filters_chapter

@@ -1,18 +1,19 @@
-/*** ### Which records break the method, and does it say so?
-
-Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
+/*** Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
 instead of profiles. Each row changes one thing of a record of zone 7 ({{stability-length}}, a
-sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
-{{stability-errors}} of their own standard errors and the 1 % that the fit states; chance alone would
-fail a row in one of a hundred runs of the whole table. It *degrades* when they do not, but the reading says
-so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
-fault in the record). A wrong number without a word would fail. The column *result* has the number
-found, and behind “for” the one put in; *misfit* is the residuals over what chance leaves.
+sample a foot). The column *result* has the numbers found, with their standard errors, and behind
+"for" those put in. *Misfit* is how many times larger the residuals of the fit are than chance makes
+them.
 
-The error of a row that holds is the fraction of this allowance that it uses up. That of a row that
-degrades is the relative loss of $A$ or of $B$, whichever is larger. Where the spectrum of the
-disturbance is known, the same allowance for chance is taken off the loss, and what is left must not
-exceed the loss of the same fit on this spectrum. The other bounds were set before.
+A row *holds* when $A$ and $B$ come out right within an allowance: {{stability-errors}} of their own
+standard errors and 1 % for the fit. Chance alone would fail a row in one of a hundred runs of the
+whole table. A row *degrades* when they do not and the answer says so by itself: the corner is at
+its bound, the misfit is above 1.25, there is a line that the options do not name, or the record has
+a fault. A wrong number without such a warning would fail the run.
+
+The error of a row that holds is the fraction of the allowance that it uses. The error of a row that
+degrades is the relative error of $A$ or of $B$, whichever is larger. Where the spectrum of the
+disturbance is known, the allowance for chance is taken off that error, and the rest must not exceed
+the error that the same fit makes on the known spectrum. The other bounds were fixed before the run.
 
 {{stability}}
 */
@@ -65,7 +66,8 @@ struct Cases {
     list.push_back({id, what, stress, base});
     change(list.back());
   }
-  // As the tool reads it; `spoil` is given a sample, its place, and the height at the last multiple of 50 000.
+  // As the tool reads it; `spoil` is given a sample, its place, and the height at the last multiple
+  // of 50 000.
   template <class Spoil>
   void add_screened(const char* id, const char* what, const char* stress, const Spoil& spoil) {
     add(id, what, stress, [&](Case& c) {
@@ -92,8 +94,8 @@ void disturbed_track(Cases& cases) {
     c.welch.window = spectra::Window::boxcar;
     c.loss = 0.5;
   });
-  cases.add("memory", "33-ft memory, linear, not named", "line inside the window of phi_0",
-            [](Case& c) {
+  cases.add("memory", "ballast memory of 33-ft rail, linear, not named in the options",
+            "line inside the window of φ₀", [](Case& c) {
               c.track.memory_dip = 5 * mm;
               const double power =
                   spectra::line_power(1, c.track.memory_dip, LineConvention::exact_one_sided);
@@ -101,7 +103,7 @@ void disturbed_track(Cases& cases) {
                 return S + power * hann_line(phi - 1 / old_rail, df);
               };
             });
-  cases.add("modulated", "33-ft memory, nonlinear, not named", "sidebands everywhere", [](Case& c) {
+  cases.add("modulated", "the same, nonlinear", "sidebands everywhere", [](Case& c) {
     c.track.memory_modulation = 0.5;
     const auto lines = spectra::modulated_lines(phi_0, c.track.dip, 0.5, eps, 1.7);
     const auto plain = spectra::modulated_lines(phi_0, c.track.dip, 0, 0, 1.7);
@@ -140,7 +142,7 @@ void measured_badly(Cases& cases) {
         c.track.sensor_noise = 0.3 * mm;
         c.known = [](double, double S) { return S + 2 * units::foot * std::pow(0.3 * mm, 2); };
       });
-  cases.add("gaps-2-bridged", "2 % lost in gaps of 20 samples, bridged by lines",
+  cases.add("gaps-2-bridged", "2 % lost in gaps of 20 samples, bridged by straight lines",
             "straight pieces in the profile", [](Case& c) {
               c.track.gap_share = 0.02;
               c.read = {.spacing = units::foot, .bridge = 20};
@@ -205,7 +207,7 @@ Result run(const Case& c) {
   const auto spectrum = welch.spectrum();
   const auto fit = spectra::fit_track_spectrum(spectrum, c.fit);
   if (const auto stray = spectra::stray_line(spectrum, c.fit, fit))
-    warnings += fmt::format(", stray line at {:.4f}", stray->phi);
+    warnings += fmt::format(", stray line at {:.4f} cycle/m", stray->phi);
   if (const auto other = spectra::contradicting_rail(spectrum, c.fit, fit))
     warnings += fmt::format(", rails of {:.2f} m", *other);
   if (fit.corner == spectra::CornerState::at_low_bound) warnings += ", corner at its lower bound";
@@ -238,7 +240,8 @@ Loss known_loss(const Case& c) {
   return loss_of(c, spectra::fit_track_spectrum(ideal, c.fit));
 }
 
-// `errors` standard errors and 1 % is what a row may be off by and still hold; a degraded one must say so by itself.
+// `errors` standard errors and 1 % is what a row may be off by and still hold; a degraded one must
+// say so by itself.
 Found judged(const Case& c, double errors) {
   const auto [fit, warnings] = run(c);
   const double B = 2 * c.track.dip;
@@ -246,7 +249,7 @@ Found judged(const Case& c, double errors) {
                                             errors * fit.B_printed.error / B + 0.01};
   const double off = std::max(lost.A / chance.A, lost.B / chance.B);
   const auto text =
-      fmt::format("A = {:.3g} ± {:.1g} for {:.3g}, B = {:.2f} ± {:.2f} mm for {:.2f} mm",
+      fmt::format("A = {:.3g} ± {:.1g} for {:.3g} m²·cycle/m, B = {:.2f} ± {:.2f} for {:.2f} mm",
                   fit.A.value, fit.A.error, c.track.A, fit.B_printed.value / mm,
                   fit.B_printed.error / mm, B / mm) +
       warnings;
@@ -288,10 +291,6 @@ void table_stability(report::Item& item) {
 
 }  // namespace
 
-const report::Section extremes{
-    report::table("stability",
-                  "A difficult record is read right, or the answer says that it is not. Each row "
-                  "changes one thing of a record of zone 7.",
-                  table_stability)};
+const report::Section extremes{report::table("stability", table_stability)};
 
 }  // namespace railbook::psd_chapter

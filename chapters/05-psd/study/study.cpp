@@ -1,14 +1,12 @@
 /*** # Classifying track: what it costs, and where it holds
 
-## Error against run time
+## Error against run time: how much track, and which reading?
 
 {{include: accuracy.cpp}}
 
-## Stated errors
-
 {{include: estimates.cpp}}
 
-## Stability
+## Stability: which records break the method, and does it say so?
 
 {{include: stability.cpp}}
 */

@@ -8,13 +8,15 @@ precision, over its range.
 
 ### Is the error that a passage states the true one?
 
-Passages are drawn at random: speed 20 to 150 mph, dip
-0.05 to 1 in, masses and stiffnesses within a factor of three of the typical ones, the rail's mass
-down to a hundredth, damping 0.02 to 0.5 of critical, tolerance 10⁻⁷ to 10⁻³. The stated error is 1.1
-times the largest change of a peak when the tolerance is a hundredth; that second run makes the answer
-cost {{check-cost}} as many evaluations as the first alone. The true one is that of P1 and P2 against
-GSL's integrator of order 8 at a thousandth of the tolerance, with the peaks located on its own
-motion; it shares the right-hand side with the library's. {{covered}} lie within the statement.
+A passage is one run of a wheel over a joint. `railbook` states an error of its peaks: 1.1 times the
+largest change of a peak when the run is repeated with a hundredth of the tolerance. Passages are
+drawn at random: speed 20 to 150 mph, dip 0.05 to 1 in, masses and stiffnesses within a factor of
+three of the typical ones, the rail's mass down to a hundredth, damping 0.02 to 0.5 of critical,
+tolerance 10⁻⁷ to 10⁻³. The true error of P1 and P2 is taken against GSL's integrator of order 8 at
+a thousandth of the tolerance, with the peaks located on its own motion; it uses the same equations
+of motion. The second run makes the answer cost {{check-cost}} as many evaluations as the first
+alone. {{covered}} lie within the statement, most of them close to the diagonal: the second run is
+nearly exact, and the margin is the factor 1.1.
 
 {{estimates}}
 */
@@ -67,7 +69,7 @@ void digits_table(report::Item& item) {
   bench::digits_table(
       item,
       {bench::worst_digits(
-           {"slope", "slope b of a point-loaded rail", "βX from 1e-6 to 3", "80-bit arithmetic",
+           {"slope", "slope of a point-loaded rail", "βX from 1e-6 to 3", "80-bit arithmetic",
             4e-15},
            arguments(1e-6, 3), [](double xi) { return winkler_shapes(xi).b; },
            [](Long xi) { return std::exp(-xi) * std::sin(xi); }),
@@ -125,14 +127,7 @@ void estimates(report::Item& item) {
 
 }  // namespace
 
-const report::Section digits{
-    report::table("digits",
-                  "The closed forms have all digits that a double can carry. Largest relative "
-                  "errors over random inputs.",
-                  digits_table),
-    report::figure("estimates",
-                   "The true error of a passage stays below the stated one. Random passages; "
-                   "points below the diagonal are within what is stated.",
-                   estimates)};
+const report::Section digits{report::table("digits", digits_table),
+                             report::figure("estimates", estimates)};
 
 }  // namespace railbook::track_chapter

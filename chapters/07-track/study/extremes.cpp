@@ -1,7 +1,7 @@
 /***
 At $V_c$ itself the roots of the quartic pair off as damping goes to zero, and a formula in terms of
-roots must lose half of its digits. The damping follows from $u$, the root of the cubic on the
-first page; with $u$ chosen, the deflection under the load is known,
+roots loses most of its digits. Test cases with a known answer are made by choosing $u$, the root of
+the cubic on the first page: the damping follows from it, and the deflection under the load is
 $\bar y(0)=16\sqrt u/(3u^2+16u)$. Five such cases are the row at $\theta=1$.
 */
 #include <fmt/format.h>
@@ -57,13 +57,14 @@ Found double_root() {
     const auto b = moving_load(0.5, middle).behind;
     (b.stiffness > 0.25 * b.damping * b.damping ? low : high) = middle;
   }
-  return {fmt::format("ζ = {:.6f}", low),
+  return {fmt::format("the roots coincide at ζ = {:.6f}", low),
           largest_difference(fe_steady(0.5, low, {.element = 0.008, .neglect = 1e-12}), 0.5, low,
                              -1e9, 1e9)};
 }
 
-// Deflection [m] under a wheel on the middle of 121 ties, beyond that under the weight of rail and half ties alone. A tie
-// hangs on the rail; its bed only pushes where `lifts`, and is missing below the wheel where `hangs`.
+// Deflection [m] under a wheel on the middle of 121 ties, beyond that under the weight of rail and
+// half ties alone. A tie hangs on the rail; its bed only pushes where `lifts`, and is missing below
+// the wheel where `hangs`.
 double on_ties(bool lifts, bool hangs) {
   constexpr Eigen::Index count = 121, middle = count / 2;
   const TieSupport support = typical_support();
@@ -115,7 +116,8 @@ Found wheel_behind() {
 
 const RectifiedSine half_inch = joint_dip(0.5);
 
-// Forces of a passage at 60 mph by the explicit and by the implicit integrator, as their largest relative difference.
+// Forces of a passage at 60 mph by the explicit and by the implicit integrator, as their largest
+// relative difference.
 double by_both(const ImpactModel& model) {
   constexpr std::array times{0.00142, 0.01};
   const auto run = [&](ImpactMethod method) {
@@ -167,7 +169,7 @@ Found lift_off() {
   soft.hertz_constant = std::pow(1e9 / 1.5, 1.5) / std::sqrt(soft.static_load);  // k_H = 1e9 N/m
   const ImpactHistory far =
       simulate(soft, joint_dip(3), 120 * units::mph, {.tolerance = 1e-12, .start = -1.0});
-  return {fmt::format("lost {} times", far.losses.size()), energy_audit(far).defect()};
+  return {fmt::format("contact is lost {} times", far.losses.size()), energy_audit(far).defect()};
 }
 
 Found coarse_profile() {
@@ -199,8 +201,8 @@ Found waves_above() {
   constexpr double theta = 2, zeta = 1e-12;
   const double both = 2 * theta * theta, apart = 2 * std::sqrt(std::pow(theta, 4) - 1);
   const MovingLoadShape shape = moving_load(theta, zeta);
-  return {fmt::format("k = {:.3f} ahead, {:.3f} behind", std::sqrt(shape.ahead.stiffness),
-                      std::sqrt(shape.behind.stiffness)),
+  return {fmt::format("wavenumber {:.3f} β ahead, {:.3f} β behind",
+                      std::sqrt(shape.ahead.stiffness), std::sqrt(shape.behind.stiffness)),
           std::max(off(shape.ahead.stiffness, both + apart),
                    off(shape.behind.stiffness, both - apart))};
 }
@@ -235,17 +237,18 @@ void extremes(report::Item& item) {
       {{"waves-above", "θ = 2, ζ = 1e-12", "which waves run ahead, without damping to tell",
         accurate, 1e-12, "the free waves; the faster energy is ahead"},
        waves_above},
-      {{"hard-contact", "contact 100 times stiffer", "contact at ten times its frequency", accurate,
-        1e-5, "explicit against Radau IIA"},
+      {{"hard-contact", "contact 100 times stiffer",
+        "a contact that moves more than four times as fast", accurate, 1e-5,
+        "explicit against Radau IIA"},
        hard_contact},
       {{"light-rail", "rail mass of 1 g", "the rail's damper against no mass", accurate, 1e-5,
         "explicit against Radau IIA"},
        light_rail},
       {{"light-rail-coarse", "rail mass of 10 g, tolerance 1e-3", "motions faster than the steps",
-        accurate, 1, "GSL's extrapolation at 1e-8; in units of the stated error"},
+        accurate, 1, "GSL's extrapolation at 1e-8; the error is over the stated one"},
        coarse_light_rail},
       {{"lift-off", "3 in at 120 mph, contact 1e9 N/m on a bed of 1e6 N/m, no damping",
-        "contact lost and regained; x_+^(3/2) at 0", accurate, 1e-9,
+        "contact lost and regained; the force is not smooth there", accurate, 1e-9,
         "energy against the surface's work"},
        lift_off},
       {{"coarse-profile", "the joint as a profile sampled every 50 mm", "a corner between samples",

@@ -1,7 +1,7 @@
 /***
 The reference is another of GSL's integrators, the extrapolation method of Bader and Deuflhard, at
-its tightest, with both peaks located on its own motion. With the methods it judges it shares the
-right-hand side of the equations and, roughly, when the peaks are.
+its tightest, with both peaks located on its own motion. It uses the same equations of motion as the
+methods it judges, and starts its search for the peaks from the same instants.
 */
 #include <array>
 #include <cmath>

@@ -10,8 +10,9 @@
 ## Stability
 
 Where do the models and the solvers stop working? Each row strains one thing and says what its
-answer is held against. A row that *holds* stays within the bound set before; one that *degrades*
-loses accuracy in a known way, by no more than its bound.
+answer is held against. A row that *holds* stays within a bound that we set for a working solver;
+one that *degrades* is a case that the model leaves out, and its bound, ours too, says how large the
+error may be there.
 
 {{stability}}
 

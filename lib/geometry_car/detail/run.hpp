@@ -1,8 +1,11 @@
 // One run of the record, and what is made of it; shared by the sources of this folder.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <span>
 #include <vector>
 
 #include <railbook/geometry_car/reconstruct.hpp>
@@ -11,38 +14,46 @@
 namespace railbook::geometry_car {
 
 using Column = std::vector<double>;
+using View = std::span<const double>;
 
-// In the order of time; T[0] means nothing.
+// In the order of time; T[0] means nothing. Times and values are the record's own, which must stay,
+// but for a run that rows are rejected in.
 struct Run {
   std::vector<std::size_t> rows;  // of the record
   int direction = 1;              // of the marks
-  Column T;
-  std::array<Column, channels> values;
+  View T;
+  std::array<View, channels> values;
+  Column own;  // times and values, where they are not the record's
 
-  std::size_t size() const { return T.size(); }
-  const Column& operator[](Channel c) const { return values[static_cast<std::size_t>(c)]; }
+  Column decay;      // of the analog filter F, over the interval before each row
+  Column yaw, roll;  // means of the rates over it, by B and C
+
+  std::size_t size() const { return rows.size(); }
+  View operator[](Channel c) const { return values[static_cast<std::size_t>(c)]; }
 };
 
 // Rows that follow each other foot by foot in one direction; `rejected` counts those whose time
 // cannot be.
 std::vector<Run> runs_of(const Record& record, const Processing& processing, std::size_t& rejected);
-// The runs worked through one by one, however short; and what throws InputError where the longest
-// is too short for a chord.
+// The prepared runs worked through one by one, however short; and what throws InputError where the
+// longest is too short for a chord.
 Measurement reconstruct_runs(const Record& record, const Processing& processing,
                              std::vector<Run> runs);
 void require_length(std::size_t longest_run, const Processing& processing);
-void load(Run& run, const Record& record);
+void load(Run& run, const Record& record);                                   // times and values
+void prepare(Run& run, const Record& record, const Processing& processing);  // and the rest
 void require(const Record& record, const Processing& processing);
-
-// Means over each interval, by B and C: rate[k] from sample k - 1 to k.
-Column rates(const Run& run, Channel gyro, const Processing& processing);
 
 // The analog filter F once more, on a rate that is constant over each interval. From its two states
 // come the filtered rate, its derivative, and what the filter holds back of the rate's integral.
 class Matched {
  public:
   explicit Matched(double corner) : w_(2 * units::pi * corner) {}
-  void push(double rate, double T);
+  // Over an interval T, decay = exp(-w T).
+  void push(double rate, double T, double decay) {
+    second_ = rate + decay * (second_ - rate + w_ * T * (first_ - rate));
+    first_ = rate + decay * (first_ - rate);
+  }
   void settle(double rate) { first_ = second_ = rate; }
   double rate() const { return second_; }
   double derivative() const { return w_ * (first_ - second_); }
@@ -56,7 +67,7 @@ std::array<Column, parameters> process(const Run& run, const Processing& process
                                        const std::vector<long>& marks);
 
 // Shared with the truth. Short chord offsets z_k - (z_{k-1} + z_{k+1})/2, NaN at the ends.
-Column short_chords(const Column& z);
+Column short_chords(View z);
 // Turn of the chord between the trucks (rad) over each foot, NaN for the first row -> curvature at
 // the middle of the car, at the place of its mean; `shift` samples later than the heading's, in the
 // order given.
@@ -69,5 +80,24 @@ filters::Geometry long_chord(const Column& short_offsets, const Processing& proc
 std::size_t samples_needed(const Processing& processing);
 // Samples to either side that a value depends on (besides the memory of the roll filter).
 std::size_t reach_of(Parameter parameter, const Processing& processing);
+
+// Within `reach` of a row that is `bad`, no quality is better than `least`.
+template <class Byte>
+void spread(std::vector<Quality>& quality, std::size_t reach, Quality least,
+            const std::vector<Byte>& rows, Byte bad) {
+  static_assert(sizeof(Byte) == 1);
+  const Byte *begin = rows.data(), *end = begin + rows.size(), *after = begin;
+  for (std::size_t settled = 0; after != end;) {
+    const void* found = std::memchr(after, static_cast<int>(bad), std::size_t(end - after));
+    if (found == nullptr) return;
+    const Byte* first = static_cast<const Byte*>(found);
+    after = std::find_if(first, end, [bad](Byte byte) { return byte != bad; });
+    const auto from = static_cast<std::size_t>(first - begin),
+               to = std::min(rows.size(), static_cast<std::size_t>(after - begin) + reach);
+    for (std::size_t k = std::max(settled, from - std::min(from, reach)); k < to; ++k)
+      quality[k] = std::max(quality[k], least);
+    settled = to;
+  }
+}
 
 }  // namespace railbook::geometry_car

@@ -2,7 +2,7 @@
 //
 //   place,kind,number,what,treated,symbol,test,reason
 //   p. 168,equation,(12),ellipse of contact,,contact/hertz.hpp
-//   hertz_from_approach,tests/lib/contact/hertz.cpp, p. 171,number,Table 2,peak
+//   hertz_from_approach,tests/lib/contact/claims.cpp, p. 171,number,Table 2,peak
 //   pressure,table-2/p0-hertz table-2/p0-countact,,, p. 171,claim,,the contact lies inside the
 //   interpenetration curve,table-2/inside,,, p. 172,figure,Fig. 9,pressure along the axis,fig-09,,,
 //   p. 176,claim,,the run cost $2.83,,,,not testable: the machine is gone

@@ -18,8 +18,10 @@ class SteppedRows {
   SteppedRows(const RollingMesh& mesh, double poisson);
   ~SteppedRows();
 
-  // As TangentialInfluence::apply, to rounding.
+  // As TangentialInfluence::apply, to 2e-13 of the largest.
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
+  // In single precision, to 1e-6 of it: twice as fast.
+  void approximate(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
 
  private:
   struct Parts;

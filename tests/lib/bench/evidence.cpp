@@ -97,27 +97,6 @@ TEST_CASE("unit: a row refuses cases without an answer unless it says how many a
   CHECK(record.stability[3].result == "worst of 3: nothing");
 }
 
-TEST_CASE(
-    "unit: as many cases may be without an answer as a row allows, and of equals the first is the "
-    "worst") {
-  report::Item item{"sweep", "table", "sweep", {}};
-  for (const int allowed : {1, 2}) {
-    int k = 0;
-    bench::worst_row(
-        item, {.id = "r", .what = "row", .stress = "chance", .allowed = 1}, 5, 5,
-        [&](bench::RandomStream&) {
-          if (++k < 3) throw report::NoAnswer{"none"};
-          return report::Found{std::to_string(k), 0.5};
-        },
-        allowed);
-  }
-  report::ChapterRecord record;
-  item.finish(record);
-  CHECK(record.stability[0].found == "refused");
-  CHECK(record.stability[1].found == "holds");
-  CHECK(record.stability[1].result == "worst of 5: 3; 2 said that they have no answer");
-}
-
 TEST_CASE("unit: estimates stand beside the truth, an exact one at the end of a logarithmic axis") {
   const Sample s;
   const auto with = [&](std::vector<bench::Estimate> runs, double least) {

@@ -1,9 +1,6 @@
 // Which points a slope goes through, and the frame of a panel.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <railbook/bench/work_precision.hpp>
 #include <railbook/report/item.hpp>
@@ -64,40 +61,6 @@ TEST_CASE("unit: an error is relative to the size of a reference of either sign"
   CHECK(untimed.samples == 0);
 }
 
-TEST_CASE("unit: the expected slope is drawn a quarter below the points, over the middle of them") {
-  const TemporaryFolder at("frame");
-  report::RunSettings settings;
-  settings.results = settings.figures = at.path;
-  settings.draw = false;
-  report::Item item{"cost", "figure", "Cost", settings};
-  bench::Method a{"a", {}};
-  a.expects(-2);
-  const std::vector<report::WorkPrecision> points{point(3, 1), point(30, 0.1), point(300, 0.01)};
-  bench::show(item, points, "F", {a}, {1e-8, 1e-2, 1e-9, 1e-3});
-  item.added("a test");
-  report::ChapterRecord record;
-  item.finish(record);
-  const std::string frame = at.read("cost-frame.csv");
-  std::istringstream lines{frame};
-  std::string line, what;
-  std::vector<double> x;
-  while (std::getline(lines, line)) {
-    std::istringstream cells{line};
-    std::string cell;
-    std::getline(cells, what, ',');
-    if (what == "error") CHECK(line.starts_with("error,1e-08,0.01,"));
-    if (what != "slope") continue;
-    for (int k = 0; k < 4 && std::getline(cells, cell, ','); ++k) x.push_back(std::stod(cell));
-  }
-  REQUIRE(x.size() == 4);
-  // The middle of the points is (30, 0.1); the line ends 0.3 of their range to either side.
-  const double half = std::pow(100, 0.3);
-  CHECK(x[0] == Approx(30 / half));
-  CHECK(x[2] == Approx(30 * half));
-  CHECK(x[1] == Approx(0.025 * half * half));
-  CHECK(x[3] == Approx(0.025 / half / half));
-}
-
 TEST_CASE("unit: a panel has each point, at what its reference knows, and what failed at the top") {
   const TemporaryFolder at("panel");
   report::RunSettings settings;
@@ -152,41 +115,10 @@ TEST_CASE("unit: a panel has each point, at what its reference knows, and what f
   report::ChapterRecord record;
   item.finish(record);
   const std::string frame = at.read("cost-frame.csv");
-  CHECK_THAT(frame, Catch::Contains("expected -1; found -0.5\"\n"));
+  CHECK_THAT(frame, Catch::Contains("expected −1; found −0.5\"\n"));
   CHECK_THAT(frame, Catch::Contains("error,0,0,0,0,\nseconds,0,0,0,0,\n"));
   CHECK(frame.find("slope", frame.find("slope") + 1) == std::string::npos);
   CHECK_THAT(frame, Catch::Contains("# holds to relative 0, absolute inf in x1: times of"));
   CHECK_THAT(at.read("cost.csv"), Catch::Contains("a,s,0.5,4,4,4,2,known\n") &&
                                       Catch::Contains("absolute inf in seconds_q3_s: times of"));
-}
-
-TEST_CASE("unit: the points of several quantities name their method, setting, work and reference") {
-  const auto run = [](int n) { return bench::Outcome{{n + 1., 4. * n}, 10. * n, true, ""}; };
-  const std::vector<bench::Method> methods{
-      bench::sweep("a", {1, 2}, run).counts("cells"),
-      {"b", {{"x", [] {
-                return bench::Outcome{{1, 1}, 3, false, "slow"};
-              }}}}};
-  const auto points = bench::measure("cost", {{"F", 4, 1e-3}, {"G", 4, 1e-2}}, methods, false);
-  REQUIRE(points.size() == 6);
-  const char* expected[] = {"F a 1 cells", "G a 1 cells", "F a 2 cells",
-                            "G a 2 cells", "F b x ",      "G b x "};
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto& p = points[k];
-    CHECK(p.id == "cost");
-    CHECK(p.quantity + " " + p.method + " " + p.setting + " " + p.work_unit == expected[k]);
-    CHECK(p.reference_uncertainty == (k % 2 == 0 ? 1e-3 : 1e-2));
-    CHECK(p.converged == (k < 4));
-    CHECK(p.reason == (k < 4 ? "" : "slow"));
-    CHECK(std::isnan(p.error) == (k >= 4));
-    CHECK(p.work == (k < 2 ? 10 : k < 4 ? 20 : 3));
-  }
-  CHECK(points[0].error == 0.5);
-  CHECK(points[1].error == 0);
-  CHECK(points[2].error == 0.25);
-  CHECK(points[3].error == 1);
-  CHECK(bench::label(0.25) == "0.25");
-  CHECK(bench::sweep("c", std::vector<double>{1e-6}, [](double) { return bench::Outcome{}; })
-            .settings[0]
-            .label == "1e-06");
 }

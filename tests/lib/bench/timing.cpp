@@ -43,6 +43,14 @@ TEST_CASE("unit: calls are timed in rounds, and one that failed is not called ag
   CHECK(failed.samples == 1);
 }
 
+TEST_CASE("unit: a duration has three digits, in the unit that suits them") {
+  const std::pair<double, const char*> said[] = {
+      {0, "0 ns"},           {1.234e-9, "1.23 ns"}, {9.9949e-7, "999 ns"}, {9.9951e-7, "1 us"},
+      {9.9949e-4, "999 us"}, {9.9951e-4, "1 ms"},   {0.99949, "999 ms"},   {1, "1 s"},
+      {0.99951, "1 s"},      {35e-6, "35 us"},      {1.2e-3, "1.2 ms"},    {61.25, "61.2 s"}};
+  for (const auto& [seconds, text] : said) CHECK(bench::duration(seconds) == text);
+}
+
 TEST_CASE("unit: a time is that of one call") {
   volatile double sink = 0;
   const num::Stopwatch all;
@@ -51,27 +59,4 @@ TEST_CASE("unit: a time is that of one call") {
   CHECK(timing.min > 0);
   CHECK(timing.min * 5 * 3334 <= all.seconds());  // five samples of 3334 calls
   CHECK(bench::time_call([&] { sink = sink + 1; }, 1e-3).samples >= 1);
-}
-
-TEST_CASE("unit: times are summed up by their least and their quartiles") {
-  const bench::Timing five = bench::summary({5, 1, 4, 2, 3});
-  CHECK(five.min == 1);
-  CHECK(five.q1 == 2);
-  CHECK(five.median == 3);
-  CHECK(five.q3 == 4);
-  CHECK(five.samples == 5);
-  std::vector<double> hundred;
-  for (int k = 100; k >= 0; --k) hundred.push_back(k);
-  const bench::Timing many = bench::summary(hundred);
-  CHECK(many.q1 == 25);
-  CHECK(many.median == 50);
-  CHECK(many.q3 == 75);
-}
-
-TEST_CASE("unit: a duration has three digits, in the unit that suits them") {
-  const std::pair<double, const char*> said[] = {
-      {0, "0 ns"},           {1.234e-9, "1.23 ns"}, {9.9949e-7, "999 ns"}, {9.9951e-7, "1 us"},
-      {9.9949e-4, "999 us"}, {9.9951e-4, "1 ms"},   {0.99949, "999 ms"},   {1, "1 s"},
-      {0.99951, "1 s"},      {35e-6, "35 us"},      {1.2e-3, "1.2 ms"},    {61.25, "61.2 s"}};
-  for (const auto& [seconds, text] : said) CHECK(bench::duration(seconds) == text);
 }

@@ -1,17 +1,17 @@
-#include <railbook/contact/cg_fft.hpp>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <vector>
 
+#include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/detail/extrapolation.hpp>
 #include <railbook/contact/detail/grid_fit.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
-#include <railbook/num/random_stream.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -33,118 +33,20 @@ CgFft solve(Eigen::Index n, bool remedy = true) {
   return solve_cg_fft(sphere(), 1, 1, options);
 }
 
+// Two spheres beside each other; the second, of radius r, ends `lower` above the first.
+Gap two_spheres(double r, double lower) {
+  return [=](double x, double y) {
+    const double u = x - 3;
+    return std::min((x * x + y * y) / 2, (u * u + y * y) / (2 * r) + lower);
+  };
+}
+
 }  // namespace
-
-TEST_CASE("unit: displacements of one loaded cell are those of the rectangle integral") {
-  const Grid grid{0, 0, 0.5, 2, 5, 3};
-  Convolution a(grid, 1 / units::pi);  // so that k = 1
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(15), u(15);
-  p[1 * 5 + 2] = 1;
-  a.apply(p, u);
-  // At its own centre: 4 (X asinh(Y/X) + Y asinh(X/Y)) with half sides X, Y.
-  const double own = 4 * (0.25 * std::asinh(4.0) + std::asinh(0.25));
-  CHECK(u[7] == Approx(own).epsilon(1e-13));
-  CHECK(a.self() == Approx(own).epsilon(1e-13));
-  // Two cells off, against the midpoint rule with 400 x 1600 points.
-  double sum = 0;
-  for (int i = 0; i < 400; ++i)
-    for (int j = 0; j < 1600; ++j)
-      sum += 1 / std::hypot(1 - 0.25 + 0.5 * (i + 0.5) / 400, 2 - 1 + 2 * (j + 0.5) / 1600);
-  CHECK(u[2 * 5 + 4] == Approx(sum / 640000).epsilon(1e-6));
-  CHECK(u[2 * 5 + 4] == Approx(u[0]).epsilon(1e-12));  // symmetric
-}
-
-TEST_CASE("unit: a sphere on a plane to the claimed error") {
-  for (const Eigen::Index n : {40, 64, 90, 128}) {
-    const NormalContact contact = solve(n).contact;
-    INFO(n);
-    CHECK(contact.converged);
-    CHECK(std::abs(contact.force / force - 1) < contact.force_error);
-    CHECK(std::abs(contact.p_max / peak - 1) < contact.p_max_error);
-  }
-  const NormalContact contact = solve(128).contact;
-  CHECK(contact.force == Approx(force).epsilon(5e-6));
-  CHECK(contact.p_max == Approx(peak).epsilon(5e-6));
-  CHECK(contact.x_max == Approx(1).margin(1.5e-3));
-  CHECK(contact.y_min == Approx(-1).margin(1.5e-3));
-  CHECK(contact.area == Approx(units::pi).epsilon(1e-3));
-  CHECK(contact.force_error < 5e-5);
-}
-
-TEST_CASE("unit: the force of a single grid is second order, the extrapolated one better") {
-  const double coarse = solve(45, false).contact.force / force - 1;
-  const double fine = solve(180, false).contact.force / force - 1;
-  const double order = std::log(coarse / fine) / std::log(4.0);
-  CHECK(order > 1.7);
-  CHECK(order < 2.5);
-  CHECK(std::abs(solve(180).contact.force / force - 1) < 0.3 * fine);
-}
 
 TEST_CASE("unit: preconditioned iterations do not grow with the grid") {
   const int coarse = solve(64).levels.back().iterations, fine = solve(256).levels.back().iterations;
   CHECK(fine <= coarse + 6);
   CHECK(fine < 25);
-}
-
-TEST_CASE("unit: extrapolation is exact for its model") {
-  const Extrapolated v = extrapolate({4, 2, 1}, {3 + 16 * 0.1, 3 + 4 * 0.1, 3.1}, 2);
-  CHECK(v.value == Approx(3).epsilon(1e-14));
-  CHECK(v.error == Approx(0.03).epsilon(1e-9));
-  CHECK(extrapolate({1}, {7}, 2).error == 7);
-}
-
-TEST_CASE("unit: a fitted axis has the phase asked for at both ends, and its edge") {
-  const Axis axis = fit_axis(-1, 3, 40, 0.9, {});
-  const double low = (-1 - axis.start) / axis.step, high = (3 - axis.start) / axis.step;
-  CHECK(high - std::floor(high) == Approx(0.9));
-  CHECK(std::ceil(low) - low == Approx(0.9));
-  CHECK(low > 2);
-  CHECK(high < 38);
-  const Axis edged = fit_axis(-1, 3, 40, 0.9, 0.5);
-  const double cells = (0.5 - edged.start) / edged.step;
-  CHECK(cells == Approx(std::round(cells)).epsilon(1e-12));
-  CHECK(edged.start < -1);
-  CHECK(edged.start + 40 * edged.step > 3);
-}
-
-TEST_CASE(
-    "unit: a covering axis reaches both ends in cells little larger than the least, with its "
-    "edge") {
-  num::RandomStream draw(1);
-  for (int k = 0; k < 1000; ++k) {
-    const double low = draw(-5, 5), length = draw.decades(1e-3, 10), high = low + length;
-    const Eigen::Index n = 16 + k % 100;
-    const double edge = low + draw(0.2, 0.8) * length;
-    const Axis axis = cover_axis(low, high, n, edge);
-    const double cells = (edge - axis.start) / axis.step;
-    REQUIRE(axis.cells == n);
-    REQUIRE(cells == Approx(std::round(cells)).epsilon(1e-9));
-    REQUIRE(axis.start <= low + 1e-12);
-    REQUIRE(axis.start + static_cast<double>(n) * axis.step >= high - 1e-12);
-    REQUIRE(axis.step <= 1.2 * length / static_cast<double>(n));
-  }
-}
-
-TEST_CASE("unit: the intensity of the edge is that of the pressures, over Hertz's") {
-  const Grid grid{-1.5, -1.5, 0.025, 0.025, 120, 120};
-  const auto intensity = [&](auto&& square) {
-    Eigen::VectorXd p(grid.cells());
-    for (Eigen::Index j = 0; j < grid.ny; ++j)
-      for (Eigen::Index i = 0; i < grid.nx; ++i)
-        p[j * grid.nx + i] = std::sqrt(std::max(0.0, square(grid.x(i), grid.y(j))));
-    return describe(grid, p, Eigen::VectorXd::Zero(p.size())).patches[0].edge_intensity;
-  };
-  CHECK(intensity([](double x, double y) {
-          const double u = x + y, v = x - y;  // an ellipse of axes 1 and 0.4 across the cells
-          return 7 * (1 - u * u / 2 - v * v / 0.32);
-        }) == Approx(1).epsilon(0.04));
-  // Even but for an edge of width w, where p^2 falls linearly: K = 1/sqrt(w), and the mean is 1 -
-  // w/3.
-  for (const double w : {0.2, 0.4, 0.8})
-    CHECK(intensity([w](double x, double y) {
-            const auto ramp = [w](double t) { return std::clamp((1 - std::abs(t)) / w, 0.0, 1.0); };
-            return ramp(x) * ramp(y);
-          }) == Approx(units::pi / (4 * std::sqrt(2 * w) * (1 - w / 3))).epsilon(0.01));
 }
 
 TEST_CASE("unit: a limit from one grid is its value, whose whole size is the error") {
@@ -161,78 +63,6 @@ TEST_CASE("unit: a limit from one grid is its value, whose whole size is the err
         extrapolate({0.3, 0.2, 0.1}, {value * 1.9, value * 1.4, value * 1.1}, 2);
     CHECK(three.value == Approx(value));
     CHECK(three.error == Approx(0.03 * std::abs(value)));
-  }
-}
-
-namespace {
-
-// Two spheres beside each other; the second, of radius r, ends `lower` above the first.
-Gap two_spheres(double r, double lower) {
-  return [=](double x, double y) {
-    const double u = x - 3;
-    return std::min((x * x + y * y) / 2, (u * u + y * y) / (2 * r) + lower);
-  };
-}
-
-// What p_max_error holds of the peak's drop between cells, as a square: the rest is of the ladder,
-// and of the edges as in force_error.
-double drop_in_error(const CgFft& result) {
-  const Region& finest = result.levels.back().region;
-  std::vector<double> h, forces, peaks;
-  for (const CgFftLevel& level : result.levels) {
-    h.push_back(std::hypot(level.grid.dx / (finest.ends.x_max - finest.ends.x_min),
-                           level.grid.dy / (finest.ends.y_max - finest.ends.y_min)));
-    forces.push_back(level.region.force), peaks.push_back(level.region.p_max);
-  }
-  const Extrapolated f = extrapolate(h, forces, 2), p = extrapolate(h, peaks, 2);
-  return result.contact.p_max_error - p.error / p.value -
-         (result.contact.force_error - f.error / f.value);
-}
-
-}  // namespace
-
-TEST_CASE("unit: a peak's error has the largest drop of the peaks higher than half the highest") {
-  // The smaller sphere's peak falls faster from cell to cell; at the second height it is 0.501 of
-  // the other.
-  for (const auto& [lower, counts] :
-       {std::pair{0.70, true}, std::pair{0.783, true}, std::pair{0.785, false}}) {
-    CgFftOptions options;
-    options.nx = 150, options.ny = 90;
-    options.search = [](double) { return Box{-1.5, 4.5, -1.5, 1.5}; };
-    const CgFft result = solve_cg_fft(two_spheres(0.3, lower), 1, 1, options);
-    const Region& finest = result.levels.back().region;
-    REQUIRE(finest.patches.size() == 2);
-    REQUIRE(std::isfinite(result.contact.p_max_error));
-    double drop = 0, highest = 0;
-    for (const PressurePatch& patch : finest.patches) highest = std::max(highest, patch.p_max);
-    int higher = 0;
-    for (const PressurePatch& patch : finest.patches) {
-      if (2 * patch.p_max <= highest) continue;
-      ++higher;
-      drop = std::max(drop, patch.peak_drop);
-    }
-    CHECK((higher == 2) == counts);
-    CHECK(drop_in_error(result) == Approx(4 * drop * drop).epsilon(1e-6));
-  }
-}
-
-TEST_CASE("unit: each grid from 16 cells on fits the next one to its region") {
-  for (const Eigen::Index n : {32, 34, 64}) {  // ladders from 16, 17 and 16 cells
-    CgFftOptions options;
-    options.nx = options.ny = n;
-    const auto levels = solve_cg_fft(quadratic_gap({0.5, 1.7, 0.3}), 1, 1, options).levels;
-    REQUIRE(levels.size() == (n == 64 ? 5 : 3));
-    CHECK(levels[0].grid.nx == (n == 34 ? 17 : 16));
-    for (std::size_t k = 1; k < levels.size(); ++k) {
-      const Box& seen = levels[k - 1].region.ends;
-      const Grid& next = levels[k].grid;
-      // Two empty cells beyond either end, and of the outermost ones nine or four tenths in
-      // contact.
-      CHECK(next.dx * (static_cast<double>(next.nx) - 6 + 1.8) == Approx(seen.x_max - seen.x_min));
-      CHECK(next.x0 + 2.1 * next.dx == Approx(seen.x_min));
-      CHECK(next.dy * (static_cast<double>(next.ny) - 6 + 0.8) == Approx(seen.y_max - seen.y_min));
-      CHECK(next.y0 + 2.6 * next.dy == Approx(seen.y_min));
-    }
   }
 }
 
@@ -349,4 +179,57 @@ TEST_CASE(
     CHECK(coarse / fine ==
           Approx(intensity * std::pow(many / few, sharp ? 1.7 : 2.5)).epsilon(1e-6));
   }
+}
+
+TEST_CASE("a normal contact of 512 x 512 cells takes some fifteen pairs of transforms to 1e-6") {
+  CgFftOptions options;
+  options.nx = options.ny = 512;
+  options.cg.tolerance = 1e-6;
+  for (const double across : {1.0, 10.0}) {
+    const CgFft found = solve_cg_fft(quadratic_gap({1.0, across, 0.0}), 1e-4, 1.1e11, options);
+    CHECK(found.contact.converged);
+    CHECK(found.levels.back().residual <= 1e-6);
+    CHECK(found.transform_pairs() < 15.5);
+  }
+}
+
+TEST_CASE("input: bad arguments of the grid solver are refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const Gap bowl = [](double x, double y) { return x * x + y * y; };
+  const Gap hole = [&](double x, double y) { return x > 0.1 && y > 0.1 ? nan : x * x + y * y; };
+  const Gap all_nan = [&](double, double) { return nan; };
+  const Gap plane = [](double, double) { return 0.0; };
+  const Gap trough = [](double x, double) { return x * x; };
+  CHECK_THROWS_AS(solve_cg_fft(bowl, nan, 1), InputError);
+  CHECK_THROWS_AS(solve_cg_fft(bowl, inf, 1), InputError);
+  CHECK_THROWS_AS(solve_cg_fft(bowl, 1, 0), InputError);
+  CHECK_THROWS_AS(solve_cg_fft(bowl, 1, -1), InputError);
+  CHECK_THROWS_AS(solve_cg_fft(hole, 1, 1), InputError);
+  CHECK_THROWS_AS(solve_cg_fft(all_nan, 1, 1), InputError);
+  CHECK_THROWS_WITH(solve_cg_fft(plane, 1, 1), Catch::Contains("do not separate"));
+  CHECK_THROWS_WITH(solve_cg_fft(trough, 1, 1), Catch::Contains("do not separate"));
+  CHECK_THROWS_AS(solve_cg_fft_load(bowl, 0, 1), InputError);
+  CHECK_THROWS_AS(solve_cg_fft_load(bowl, -3, 1), InputError);
+  CgFftOptions options;
+  options.nx = 0;
+  CHECK_THROWS_AS(solve_cg_fft(bowl, 1, 1, options), InputError);
+  options.nx = options.ny = 60000;
+  CHECK_THROWS_WITH(solve_cg_fft(bowl, 1, 1, options), Catch::Contains("GB"));
+}
+
+TEST_CASE("input: samples of a gap have no NaN and no minus infinity") {
+  const Grid grid{0, 0, 1, 1, 4, 4};
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()})
+    CHECK_THROWS_AS(sample([=](double x, double) { return x > 3 ? bad : 1; }, grid), InputError);
+}
+
+TEST_CASE("input: too few iterations are reported") {
+  const Gap bowl = [](double x, double y) { return x * x + y * y; };
+  CgFftOptions options;
+  options.cg.most_iterations = 2;
+  const NormalContact contact = solve_cg_fft(bowl, 1, 1, options).contact;
+  CHECK_FALSE(contact.converged);
+  CHECK(contact.reason.find("conjugate gradients") != std::string::npos);
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <tuple>
-#include <vector>
 
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/geometry.hpp>
@@ -22,46 +20,6 @@ namespace {
 
 Gap ellipsoid(double a, double b) {
   return [=](double x, double y) { return a * x * x + b * y * y; };
-}
-
-// The pressures of the cells by a dense matrix over the cells in contact, which pull none and leave
-// no overlap.
-Eigen::VectorXd dense_pressures(const Grid& grid, const Eigen::VectorXd& f, double approach,
-                                double modulus) {
-  const auto influence = [&](Eigen::Index one, Eigen::Index two) {
-    const double x = grid.x(one % grid.nx) - grid.x(two % grid.nx),
-                 y = grid.y(one / grid.nx) - grid.y(two / grid.nx);
-    return rectangle_influence(x - grid.dx / 2, x + grid.dx / 2, y - grid.dy / 2, y + grid.dy / 2) /
-           (units::pi * modulus);
-  };
-  std::vector<Eigen::Index> set, next;
-  for (Eigen::Index n = 0; n < f.size(); ++n)
-    if (f[n] < approach) next.push_back(n);
-  Eigen::VectorXd p;
-  for (int update = 0; update < 60 && next != set; ++update) {
-    set = std::move(next);
-    const auto size = static_cast<Eigen::Index>(set.size());
-    Eigen::MatrixXd a(size, size);
-    Eigen::VectorXd overlap(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Eigen::Index cell = set[static_cast<std::size_t>(i)];
-      overlap[i] = approach - f[cell];
-      for (Eigen::Index j = 0; j < size; ++j)
-        a(i, j) = influence(cell, set[static_cast<std::size_t>(j)]);
-    }
-    const Eigen::VectorXd found = a.llt().solve(overlap);
-    p = Eigen::VectorXd::Zero(f.size());
-    for (Eigen::Index i = 0; i < size; ++i) p[set[static_cast<std::size_t>(i)]] = found[i];
-    next.clear();
-    for (Eigen::Index n = 0; n < f.size(); ++n) {
-      double sunk = 0;
-      if (p[n] == 0)
-        for (const Eigen::Index m : set) sunk += p[m] * influence(n, m);
-      if (p[n] > 0 || (p[n] == 0 && sunk < approach - f[n])) next.push_back(n);
-    }
-  }
-  REQUIRE(next == set);
-  return p;
 }
 
 }  // namespace
@@ -92,23 +50,6 @@ TEST_CASE("property: pressure and gap are complementary") {
   // The sums of the cells are those of the level.
   CHECK(result.contact.p.sum() * grid.dx * grid.dy ==
         Approx(result.levels.back().region.force).epsilon(1e-12));
-}
-
-TEST_CASE("property: scaling of lengths, modulus and approach") {
-  const NormalContact base = solve_cg_fft(ellipsoid(1, 3), 1, 1, cells(50, 50)).contact;
-  const double scale = 1e-9;
-  const NormalContact tiny = solve_cg_fft(ellipsoid(1, 3), scale, 2e11, cells(50, 50)).contact;
-  CHECK(tiny.force == Approx(base.force * 2e11 * std::pow(scale, 1.5)).epsilon(1e-4));
-  CHECK(tiny.p_max == Approx(base.p_max * 2e11 * std::sqrt(scale)).epsilon(1e-4));
-  CHECK(tiny.x_max == Approx(base.x_max * std::sqrt(scale)).epsilon(2e-2));
-}
-
-TEST_CASE("property: swapping the axes swaps the answer") {
-  const NormalContact xy = solve_cg_fft(ellipsoid(1, 3), 1, 1, cells(90, 64)).contact;
-  const NormalContact yx = solve_cg_fft(ellipsoid(3, 1), 1, 1, cells(64, 90)).contact;
-  CHECK(xy.force == Approx(yx.force).epsilon(1e-4));
-  CHECK(xy.p_max == Approx(yx.p_max).epsilon(1e-4));
-  CHECK(xy.x_max == Approx(yx.y_max).epsilon(1e-2));
 }
 
 TEST_CASE("property: turning or moving the bodies changes nothing but the frame") {
@@ -151,25 +92,6 @@ TEST_CASE("property: the ends of a roller are found wherever it lies along its a
   }
 }
 
-TEST_CASE("property: a given load and its approach are one problem") {
-  const Gap gap = rail_wheel_gap({0.46, 0.33, 0.3, 0.3});
-  const double modulus = 1.1e11;
-  const NormalContact pressed = solve_cg_fft(gap, 3e-5, modulus, cells(64, 64)).contact;
-  const NormalContact loaded =
-      solve_cg_fft_load(gap, pressed.force, modulus, cells(64, 64)).contact;
-  REQUIRE(loaded.converged);
-  CHECK(loaded.force == Approx(pressed.force).epsilon(2e-7));
-  CHECK(loaded.approach == Approx(3e-5).epsilon(1e-5));
-}
-
-TEST_CASE("property: the same digits on every run") {
-  const NormalContact one = solve_cg_fft(ellipsoid(1, 2), 1, 1, cells(61, 67)).contact;
-  const NormalContact two = solve_cg_fft(ellipsoid(1, 2), 1, 1, cells(61, 67)).contact;
-  CHECK(one.force == two.force);
-  CHECK(one.work == two.work);
-  CHECK((one.p - two.p).cwiseAbs().maxCoeff() == 0);
-}
-
 TEST_CASE("property: a box that is too small grows to the same answer") {
   CgFftOptions small = cells(64, 64);
   small.search = [](double) { return Box{-0.1, 0.02, -0.05, 0.3}; };
@@ -177,18 +99,6 @@ TEST_CASE("property: a box that is too small grows to the same answer") {
   CHECK(grown.converged);
   CHECK(grown.force ==
         Approx(solve_cg_fft(ellipsoid(1, 1), 1, 1, cells(64, 64)).contact.force).epsilon(3e-5));
-}
-
-TEST_CASE("property: a dense matrix and the FFT solve one discrete problem") {
-  const Gap gap = rail_wheel_gap({0.4, 0.3, 0.25, 0.03});
-  const Grid grid{-0.02, -0.012, 0.0008, 0.0008, 36, 30};
-  const Eigen::VectorXd f = sample(gap, grid);
-  const Eigen::VectorXd dense = dense_pressures(grid, f, 1e-4, 1e11);
-  Eigen::VectorXd p;
-  const Region fft = solve_on(grid, f, 1e-4, 1e11, p, 1e-11);
-  REQUIRE((dense.array() > 0).count() == fft.cells);
-  CHECK((p - dense).cwiseAbs().maxCoeff() < 1e-8 * dense.maxCoeff());
-  CHECK(dense.sum() * grid.dx * grid.dy == Approx(fft.force).epsilon(1e-9));
 }
 
 TEST_CASE("property: the stated errors hold for Hertz's contacts of any slenderness and direction",
@@ -396,25 +306,5 @@ TEST_CASE("property: one, two and three threads find the same digits") {
     CHECK(more.contact.iterations == one.contact.iterations);
     CHECK(more.contact.force == one.contact.force);
     CHECK(more.contact.p == one.contact.p);
-  }
-}
-
-TEST_CASE("property: whatever pressures it starts from, the bounded problem has one solution") {
-  const Grid grid{-1.5, -1.5, 0.15, 0.15, 20, 20};
-  const Gap gap = ellipsoid(0.5, 0.8);
-  for (const bool with_ends : {false, true}) {
-    Eigen::VectorXd f = sample(gap, grid), p;
-    if (with_ends)
-      for (const Eigen::Index corner : {0, 19, 380, 399})
-        f[corner] = std::numeric_limits<double>::infinity();
-    solve_on(grid, f, 0.4, 1, p, 1e-11);
-    REQUIRE(p.maxCoeff() > 0);
-    for (const double start : {1e-3, 1.0, 30.0}) {
-      Eigen::VectorXd other = Eigen::VectorXd::Constant(grid.cells(), start);
-      Convolution a(grid, 1);
-      CHECK(solve_bounded_cg(a, grid, f, 0.4, other, {.tolerance = 1e-11}).converged);
-      CHECK((other - p).cwiseAbs().maxCoeff() < 1e-8 * p.maxCoeff());
-      CHECK(other[0] + other[19] + other[380] + other[399] == 0);
-    }
   }
 }

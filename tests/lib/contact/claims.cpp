@@ -198,3 +198,24 @@ TEST_CASE("claim: displacements by transforms") {
     }
   }
 }
+
+TEST_CASE("claim: displacements by the approximate transforms") {
+  Claim claim("contact::approximate", 20);
+  RandomStream draw(7);
+  const auto worst = [&](const Grid& grid) {
+    Convolution a(grid, 1e11);
+    REQUIRE(a.approximates());
+    Eigen::VectorXd p(grid.cells()), exact(grid.cells()), found(grid.cells());
+    for (double& value : p) value = draw(0, 1e9);
+    a.apply(p, exact);
+    a.approximate(p, found);
+    return (found - exact).cwiseAbs().maxCoeff() / exact.maxCoeff();
+  };
+  for (int k = 0; k < 20; ++k) {
+    const Eigen::Index nx = 127 + 23 * (k % 7), ny = 127 + 31 * (k % 5);
+    claim.error(
+        worst({0, 0, 1e-5 * draw.decades(0.32, 3.2), 1e-5 * draw.decades(0.32, 3.2), nx, ny}));
+  }
+  for (const double dx : {1e-5 / 80, 1e-5 * 80}) CHECK(worst({0, 0, dx, 1e-5, 400, 350}) < 2e-6);
+  CHECK_FALSE(Convolution({0, 0, 1e-5, 1e-5, 40, 40}, 1e11).approximates());
+}

@@ -2,7 +2,6 @@
 // range.
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <vector>
 
 #include <railbook/contact/bodies.hpp>
 #include <railbook/contact/convolution.hpp>
@@ -181,17 +180,35 @@ TEST_CASE("claim: pressures by Hertz, and carried to another grid") {
     Eigen::VectorXd p(from.cells());
     for (double& value : p) value = draw(0, 1) > 0.3 ? draw.decades(1, 1e9) : 0;
     const Eigen::VectorXd found = transfer(from, p, to);
+    // The squares, and beside the contact what lies on the line through the last two.
+    const auto square = [&](Eigen::Index i, Eigen::Index j) {
+      const bool inside = i >= 0 && j >= 0 && i < from.nx && j < from.ny;
+      return inside ? Long{p[j * from.nx + i]} * p[j * from.nx + i] : Long{0};
+    };
+    const auto extended = [&](Eigen::Index i, Eigen::Index j) {
+      Long sum = 0, lines = 0;
+      for (const Eigen::Index step : {-1, 1})
+        for (const bool along_x : {true, false}) {
+          const Eigen::Index di = along_x ? step : 0, dj = along_x ? 0 : step;
+          const Long beside = square(i + di, j + dj), next = square(i + 2 * di, j + 2 * dj);
+          if (beside > 0 && next > 0) sum += std::min(2 * beside - next, Long{0}), lines += 1;
+        }
+      return square(i, j) > 0 || lines == 0 ? square(i, j) : sum / lines;
+    };
     for (Eigen::Index n = 0; n < to.cells(); ++n) {
       // Every old cell's hat at the place.
       Long sum = 0, largest = 0;
-      for (Eigen::Index m = 0; m < from.cells(); ++m) {
-        const Long near_x = 1 - std::abs(Long{to.x(n % 6)} - from.x(m % 5)) / from.dx,
-                   near_y = 1 - std::abs(Long{to.y(n / 6)} - from.y(m / 5)) / from.dy;
-        sum += std::max(Long{0}, near_x) * std::max(Long{0}, near_y) * p[m] * p[m];
-        if (near_x > -1e-12L && near_y > -1e-12L) largest = std::max(largest, Long{p[m]} * p[m]);
-      }
+      for (Eigen::Index i = -1; i <= from.nx; ++i)
+        for (Eigen::Index j = -1; j <= from.ny; ++j) {
+          const Long near_x = 1 - std::abs(Long{to.x(n % 6)} - from.x(i)) / from.dx,
+                     near_y = 1 - std::abs(Long{to.y(n / 6)} - from.y(j)) / from.dy;
+          const Long value = extended(i, j);
+          sum += std::max(Long{0}, near_x) * std::max(Long{0}, near_y) * value;
+          if (near_x > -1e-12L && near_y > -1e-12L) largest = std::max(largest, std::abs(value));
+        }
       if (largest > 0)
-        carried.error(static_cast<double>(std::abs(found[n] * Long{found[n]} - sum) / largest));
+        carried.error(static_cast<double>(
+            std::abs(found[n] * Long{found[n]} - std::max(sum, Long{0})) / largest));
       else if (found[n] != 0)
         carried.error(1);
     }

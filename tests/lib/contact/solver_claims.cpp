@@ -41,7 +41,7 @@ TEST_CASE("claim: one discrete problem by conjugate gradients") {
       }
       return worst;
     };
-    const BoundedCg found = solve_bounded_cg(a, grid, f, approach, p, options);
+    const BoundedCg found = solve_bounded_cg(a, f, approach, p, options);
     bounded.error(found.converged ? misfit() / options.tolerance : INFINITY);
   }
 }

@@ -2,7 +2,6 @@
 // families against the car put together at once; wheel and rail's limited forces against each wheel
 // by itself.
 #include <cmath>
-#include <vector>
 
 #include <railbook/cycles/continuation.hpp>
 #include <railbook/vehicle/car_families.hpp>

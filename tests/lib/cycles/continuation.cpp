@@ -28,16 +28,6 @@ Eigen::VectorXcd circle(int n) {
   shape[1] = Complex{0, -1};
   return shape;
 }
-// What a branch cost: a walk that is a little wrong still arrives, and takes longer. The counts are
-// today's; a change for the better changes them with its reason.
-struct Work {
-  int points, newton_steps, rejected_steps;
-};
-void check_work(const LimitCycleBranch& branch, const Work& known) {
-  CHECK(static_cast<int>(branch.points.size()) == Approx(known.points).margin(1));
-  CHECK(branch.newton_steps == Approx(known.newton_steps).epsilon(0.03));
-  CHECK(branch.rejected_steps == Approx(known.rejected_steps).margin(1));
-}
 std::vector<SpecialCycle> of_kind(const LimitCycleBranch& branch, CycleEvent kind) {
   std::vector<SpecialCycle> found;
   for (const SpecialCycle& s : branch.special)
@@ -76,73 +66,6 @@ LimitCycleBranch circles(const Family& family) {
 }
 
 }  // namespace
-
-TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
-  // z'' + d z' + z + b |z|^2 z = g exp(i W t) in the plane, driven by circles u'' + (|u|^2 - 1) u'
-  // + W^2 u = 0 of radius 1: rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
-  constexpr double d = 0.1, b = 0.5, g = 0.2;
-  Family family;
-  family.oscillator = seen_by(4, [=](const Complex* s, Complex* f) {
-    const Complex rho = s[0] * s[0] + s[1] * s[1], size = s[2] * s[2] + s[3] * s[3];
-    for (int i = 0; i < 2; ++i) {
-      f[i] = -b * rho * s[i] + g * s[2 + i];
-      f[2 + i] = -(size - 1.0) * s[6 + i];
-    }
-  });
-  family.set = [](Oscillator& o, double w) {
-    o.damping(0, 0) = o.damping(1, 1) = d;
-    o.stiffness(2, 2) = o.stiffness(3, 3) = w * w;
-  };
-  family.watch = {first_row(4)};
-  ContinuationOptions options;
-  options.lowest = 0.3;
-  options.highest = 2.5;
-  Oscillator start = family.oscillator;
-  family.set(start, 0.5);
-  Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(4);
-  shape << 0.27, Complex{0, -0.27}, 1, Complex{0, -1};
-  const auto branch = follow_from(family, first_harmonic(start, shape, 0.5, 7), 0.5,
-                                  Direction::larger_parameter, options);
-  CHECK(branch.stop == BranchStop::parameter);
-  // dW/d rho = 0 there: with a = 1 + b rho - W^2 = -g^2 / (2 b rho^2).
-  const auto turning = [&](double rho) {
-    return std::pow(g, 4) / (4 * b * b * std::pow(rho, 4)) - g * g / rho +
-           d * d * (1 + b * rho + g * g / (2 * b * rho * rho));
-  };
-  const auto folds = of_kind(branch, CycleEvent::fold);
-  REQUIRE(folds.size() == 2);
-  double bracket[2][2] = {{1, 20}, {0.1, 1}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double rho = num::find_root(turning, bracket[k][0], bracket[k][1]).x;
-    CAPTURE(rho);
-    CHECK(folds[k].at.parameter ==
-          Approx(std::sqrt(1 + b * rho + g * g / (2 * b * rho * rho))).epsilon(1e-7));
-    CHECK(folds[k].at.largest == Approx(std::sqrt(rho)).epsilon(1e-5));
-  }
-  check_work(branch, {40, 193, 2});
-}
-
-TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
-  // A third coordinate whose damping 0.3 - p changes sign at p = 0.3.
-  const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
-    f[2] = -(0.3 - rho) * s[5] - 0.7 * s[2];
-  });
-  const auto branch = circles(family);
-  const auto found = of_kind(branch, CycleEvent::torus);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].located);
-  CHECK(found[0].at.parameter == Approx(0.3).epsilon(1e-6));
-  CHECK(branch.points[found[0].after].stable);
-  CHECK(branch.points.back().unstable == 2);
-  for (const LimitCycle& p : branch.points) {
-    // exp of the exponents over half a period.
-    const double rate = 0.5 * (p.parameter - 0.3), half = units::pi / p.cycle.omega;
-    double nearest = 1;
-    for (const Complex m : p.multipliers.map)
-      nearest = std::min(nearest, std::abs(std::abs(m) - std::exp(rate * half)));
-    CHECK(nearest < 1e-6);
-  }
-}
 
 TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back",
           "[continuation]") {
@@ -230,73 +153,4 @@ TEST_CASE("Continuation: the period doubles at a known place, and the branch tha
     CHECK(std::norm(p.cycle.motion(2, 1)) == Approx(size(p.parameter)).epsilon(1e-6));
     CHECK(p.stable);
   }
-}
-
-TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", "[continuation]") {
-  // Rayleigh's q'' - e (q' - q'^3 / 3) + q = 0.
-  Family family;
-  family.oscillator =
-      seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[1] * s[1] * s[1] / 3.0; });
-  // The law is weighed by its force's matrix.
-  family.set = [](Oscillator& o, double e) {
-    o.damping(0, 0) = -e;
-    o.couplings[0].force(0, 0) = e;
-  };
-  family.watch = {first_row(1)};
-  ContinuationOptions options;
-  options.highest = 2;
-  options.tail = 1e-9;
-  Oscillator start = family.oscillator;
-  family.set(start, 0.1);
-  const auto branch =
-      follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7), 0.1,
-                  Direction::larger_parameter, options);
-  CHECK(branch.stop == BranchStop::parameter);
-  const auto at = cycles_at(family, branch, 1, options);
-  REQUIRE(at.size() == 1);
-  CHECK(2 * units::pi / at[0].cycle.omega == Approx(6.6632868593).epsilon(1e-9));
-  // Liouville: the log of the other multiplier is the integral of e (1 - q'^2).
-  double trace = 0;
-  constexpr int samples = 1024;
-  for (int j = 0; j < samples; ++j) {
-    const double v = state_at(at[0].cycle, 2 * units::pi * j / samples)[1];
-    trace += (1 - v * v) * (2 * units::pi / at[0].cycle.omega) / samples;
-  }
-  CHECK(at[0].leading == Approx(std::exp(trace)).epsilon(2e-5));
-  CHECK(at[0].stable);
-  check_work(branch, {16, 34, 0});
-
-  // Back again: harmonics are taken off as the cycle becomes a circle; a step that does so may
-  // leave a few times the tail.
-  options.lowest = 0.01;
-  const auto back =
-      follow_from(family, branch.points.back().cycle, 2, Direction::smaller_parameter, options);
-  CHECK(back.stop == BranchStop::parameter);
-  const auto highest = [](const LimitCycle& c) { return c.cycle.orders.back(); };
-  CHECK(highest(branch.points.back()) == 77);
-  CHECK(highest(back.points.front()) == 77);
-  CHECK(highest(back.points.back()) == 13);
-  for (const LimitCycle& c : back.points) CHECK(c.tail < 10 * options.tail);
-  check_work(back, {17, 120, 0});
-}
-
-TEST_CASE("Continuation: Duffing's free oscillation has the period of the elliptic integral",
-          "[continuation]") {
-  // q'' + p q' + q + q^3 = 0 has cycles at p = 0 only, of any amplitude.
-  Family family;
-  family.oscillator = seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[0] * s[0] * s[0]; });
-  family.set = [](Oscillator& o, double p) { o.damping(0, 0) = p; };
-  family.watch = {first_row(1)};
-  ContinuationOptions options;
-  options.first_amplitude = 2;
-  options.tail = 1e-8;
-  options.most_points = 1;
-  const auto branch = follow_from_hopf(family, Eigen::VectorXcd::Ones(1), 1.9, 0.05, options);
-  REQUIRE(branch.points.size() == 1);
-  const LimitCycle& p = branch.points[0];
-  CHECK(p.neutral);
-  CHECK(p.parameter == Approx(0).margin(1e-9));
-  const double a = p.largest, m = a * a / (2 * (1 + a * a));
-  const double period = 4 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(1 + a * a);
-  CHECK(2 * units::pi / p.cycle.omega == Approx(period).epsilon(1e-9));
 }

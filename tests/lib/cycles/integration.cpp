@@ -1,7 +1,9 @@
 // Stiff and singular ends of the car's equations.
+#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include <railbook/cycles/detail/pieces.hpp>
 #include <railbook/cycles/history.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/vehicle/car_on_track.hpp>
@@ -43,22 +45,50 @@ TEST_CASE("Friction that sticks a hundred times harder: exact pieces and the imp
   CHECK((exact.y - implicit.y).head(9).lpNorm<Eigen::Infinity>() < 1e-6);
 }
 
-TEST_CASE("The motion's size may be anything: laws of pieces scale with it", "[extreme]") {
-  // Every length in the law a million times smaller: the same motion, a million times smaller.
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
-  for (const double scale : {1e-6, 1.0, 1e6}) {
-    Oscillator o{one, 0.1 * one, 0 * one, one, 1, {}};
-    o.channels.push_back(
-        {Eigen::VectorXd::Ones(1),
-         false,
-         -one,
-         {scale * Eigen::Vector4d{-2, -1, 1, 2}, scale * Eigen::RowVector4d{-20, 0, 0, 20}}});
+TEST_CASE("The flow's derivative is that of finite differences, across knots", "[pieces]") {
+  const auto car = assemble({}, Suspension::friction);
+  const Oscillator o = car_on_track(car, wheelset::cn_table(), 100 * units::foot);
+  State y0 = State::Zero();
+  y0[X_TF] = 0.008;
+  y0[X_TR] = 0.007;
+  PieceIntegrator integrator{compile(o), HistoryOptions::default_scale()};
+  const auto fly = [&](const State& y) {
+    integrator.start(0, y);
+    while (integrator.t() < 0.3 && integrator.step(0.3)) {
+    }
+    return integrator.y();
+  };
+  integrator.start(0, y0);
+  integrator.follow_derivative();
+  while (integrator.t() < 0.3 && integrator.step(0.3)) {
+  }
+  CHECK(integrator.knots() > 100);
+  const StateMatrix derivative = integrator.derivative();
+  for (const int i : {0, 2, 6, 9, 14}) {
+    const double d = 1e-8;
+    const State up = fly(y0 + d * State::Unit(i)), down = fly(y0 - d * State::Unit(i));
+    const State difference = (up - down) / (2 * d);
+    CHECK((difference - derivative.col(i)).norm() < 2e-4 * derivative.col(i).norm());
+  }
+}
+
+TEST_CASE("A wheelset at the end of its table stops every integrator at the same time",
+          "[pieces]") {
+  const auto car = assemble({}, Suspension::dampers);
+  const Oscillator o = car_on_track(car, wheelset::new_wheel_table(), 240 * units::foot);
+  Eigen::VectorXd y0 = Eigen::VectorXd::Zero(18);
+  y0[X_TF] = y0[X_TR] = 0.45 * units::inch;
+  const History exact = integrate(o, y0, 20, {});
+  REQUIRE(exact.end == History::End::left_table);
+  CHECK(std::abs(o.channels[std::size_t(exact.channel)].row.dot(exact.y.head(9))) ==
+        Approx(0.75 * units::inch).epsilon(1e-12));
+  for (const Integrator i : {Integrator::dopri5, Integrator::radau5}) {
     HistoryOptions options;
-    options.scale = State::Constant(scale);
-    const History h = integrate(o, scale * Eigen::Vector2d{3, 0}, 10, options);
-    Oscillator plain = o;
-    plain.channels[0].law = {Eigen::Vector4d{-2, -1, 1, 2}, Eigen::RowVector4d{-20, 0, 0, 20}};
-    const History ref = integrate(plain, Eigen::Vector2d{3, 0}, 10, {});
-    CHECK(h.y[0] / scale == Approx(ref.y[0]).epsilon(1e-9));
+    options.integrator = i;
+    options.tolerance = i == Integrator::dopri5 ? 1e-10 : 1e-7;
+    const History h = integrate(o, y0, 20, options);
+    CHECK(h.end == History::End::left_table);
+    CHECK(h.channel == exact.channel);
+    CHECK(h.t == Approx(exact.t).epsilon(1e-5));
   }
 }

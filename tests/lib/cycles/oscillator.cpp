@@ -1,7 +1,6 @@
 // What the oscillators refuse.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <railbook/cycles/harmonic_balance.hpp>
@@ -85,21 +84,6 @@ TEST_CASE("An oscillator whose parts do not fit is refused, whichever part it is
     CAPTURE(k);
     CHECK_THROWS_WITH(compile(bad[k]), Catch::Contains("do not fit"));
   }
-}
-
-TEST_CASE("A state of one to nine coordinates is padded to nine and back, others are refused",
-          "[oscillator]") {
-  for (const Eigen::Index n : {1, 4, 9}) {
-    const Eigen::VectorXd y = Eigen::VectorXd::LinSpaced(2 * n, 1, 2);
-    const State state = padded(y);
-    CHECK(unpadded(state, n) == y);
-    CHECK(state[9] == y[n]);
-    CHECK(state.sum() == Approx(y.sum()));
-  }
-  for (const Eigen::Index size : {0, 3, 17, 20})
-    CHECK_THROWS_WITH(
-        padded(Eigen::VectorXd::Zero(size)),
-        "state of " + std::to_string(size) + " numbers; allowed: an even count from 2 to 18");
 }
 
 TEST_CASE("Harmonic balance refuses a start at rest, or of another size", "[oscillator]") {

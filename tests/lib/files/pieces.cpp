@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include <railbook/files/out_file.hpp>
@@ -143,27 +142,6 @@ TEST_CASE("unit: a file is the owner's and has the modes of the old one") {
                     Contains("cannot be removed: ") && Contains("ermi"));
 }
 
-TEST_CASE("unit: new files follow the umask") {
-  const TemporaryFolder at("modes");
-  const mode_t before = umask(026);
-  files::write(at.path / "folder" / "new", "text");
-  umask(before);
-  CHECK(fs::status(at.path / "folder").permissions() == fs::perms(0751));
-  CHECK(fs::status(at.path / "folder" / "new").permissions() == fs::perms(0640));
-}
-
-TEST_CASE("unit: what is written goes to disk by 64 KiB or more, beside its place") {
-  const TemporaryFolder at("pieces");
-  files::OutFile out(at.path / "file");
-  const auto on_disk = [&] { return fs::file_size(fs::directory_iterator(at.path)->path()); };
-  out.write(std::string(65535, 'x'));
-  CHECK(on_disk() == 0);
-  out.write("x");
-  CHECK(on_disk() == 65536);
-  out.write("y");
-  CHECK(fs::file_size(out.staged()) == 65537);
-}
-
 TEST_CASE("unit: one file is replaced in one step, several step aside for a moment") {
   const TemporaryFolder at("step");
   at.write("one", "old"), at.write("two", "old");
@@ -213,31 +191,6 @@ TEST_CASE("unit: with no descriptor left, files and folders fail as the machine 
                     files::quoted_name(at.path) + ": cannot be written: Too many open files\n");
 }
 
-TEST_CASE("unit: there may be 4096 temporary files at a time") {
-  std::vector<files::TemporaryPath> all;
-  all.reserve(4096);
-  for (int k = 0; k < 4096; ++k) all.emplace_back("/nowhere/none");
-  CHECK_THROWS_WITH(files::TemporaryPath("/nowhere/none"), "too many temporary files at a time");
-  all.pop_back();
-  CHECK_NOTHROW(files::TemporaryPath("/nowhere/none"));
-}
-
-TEST_CASE("unit: temporary files are in TMPDIR, or in /tmp where it is none") {
-  const TemporaryFolder at("tmpdir");
-  const SetVariable tmpdir("TMPDIR");
-  const auto private_in = [&](const char* folder) {
-    tmpdir.to(folder);
-    return files::PrivateFolder().path().parent_path();
-  };
-  for (const char* none : {"", static_cast<const char*>(nullptr)}) {
-    CHECK(private_in(none) == "/tmp");
-  }
-  CHECK(private_in("relative") == "/tmp");
-  CHECK(private_in(at.path.c_str()) == at.path);
-  CHECK_THROWS_WITH(private_in("/nowhere"), StartsWith("temporary file \"/nowhere/railbook-") &&
-                                                EndsWith("\": No such file or directory"));
-}
-
 TEST_CASE("unit: a private folder goes with all that was put there") {
   const TemporaryFolder at("private");
   const fs::path data = at.write("data", "123");
@@ -258,4 +211,20 @@ TEST_CASE("unit: a private folder goes with all that was put there") {
   }
   CHECK_FALSE(fs::exists(where));
   CHECK(at.read("data") == "123");
+}
+
+TEST_CASE("unit: temporary files are in TMPDIR, or in /tmp where it is none") {
+  const TemporaryFolder at("tmpdir");
+  const SetVariable tmpdir("TMPDIR");
+  const auto private_in = [&](const char* folder) {
+    tmpdir.to(folder);
+    return files::PrivateFolder().path().parent_path();
+  };
+  for (const char* none : {"", static_cast<const char*>(nullptr)}) {
+    CHECK(private_in(none) == "/tmp");
+  }
+  CHECK(private_in("relative") == "/tmp");
+  CHECK(private_in(at.path.c_str()) == at.path);
+  CHECK_THROWS_WITH(private_in("/nowhere"), StartsWith("temporary file \"/nowhere/railbook-") &&
+                                                EndsWith("\": No such file or directory"));
 }

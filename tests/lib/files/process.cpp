@@ -75,40 +75,6 @@ TEST_CASE("unit: a signal removes what is staged and ends the child, then the pr
   CHECK(ends(beside));
 }
 
-TEST_CASE("unit: a signal ends a process without a child, and no other one") {
-  const TemporaryFolder at("alone");
-  for (const int signal : {SIGINT, SIGHUP, SIGPIPE, SIGXCPU}) {
-    const int status = apart(2, [&] {
-                         std::signal(signal, SIG_DFL);  // whatever nohup said
-                         files::prepare_process();
-                         const pid_t spared = sleeper();
-                         { const files::ChildGuard for_a_while(spared); }
-                         at.write("spared", std::to_string(spared));
-                         const files::BlockSignals wait;
-                         raise(signal);
-                         at.write("waited", "x");
-                         return 0;
-                       }).first;
-    CHECK(WIFSIGNALED(status));
-    CHECK(WTERMSIG(status) == signal);
-    CHECK(fs::remove(at.path / "waited"));
-    const pid_t spared = std::stoi(at.read("spared"));
-    CHECK_FALSE(has_ended(spared));
-    kill(spared, SIGKILL);
-  }
-}
-
-TEST_CASE("unit: a signal that the parent ignores stays ignored, and a size limit is no signal") {
-  const int status = apart(2, [] {
-                       std::signal(SIGHUP, SIG_IGN);
-                       files::prepare_process();
-                       raise(SIGHUP);
-                       raise(SIGXFSZ);
-                       return 0;
-                     }).first;
-  CHECK(status == 0);
-}
-
 TEST_CASE("unit: a closed standard stream is held, for the other direction, and an open one left") {
   const auto [status, said] = apart(2, [] {
     const auto direction = [](int stream) { return fcntl(stream, F_GETFL) & O_ACCMODE; };
@@ -240,20 +206,4 @@ TEST_CASE(
   });
   CHECK(WEXITSTATUS(status) == 3);
   CHECK(said == "prog: standard output: Input/output error\n");
-}
-
-TEST_CASE("unit: a file may have the number of a standard input that is closed") {
-  const TemporaryFolder at("zero");
-  const int status = apart(2, [&] {
-                       close(0);
-                       const auto is_free = [] { return fcntl(0, F_GETFD) < 0; };
-                       files::write(at.path / "rows", "row\n");
-                       files::write(at.path / "new" / "file", "text");
-                       files::PrivateFolder().write("text", "abc");
-                       const files::OutFile other(at.path / "other");
-                       return is_free() ? 1 : 0;  // the file has it
-                     }).first;
-  CHECK(status == 0);
-  CHECK(at.read("rows") == "row\n");
-  CHECK(at.read("new/file") == "text");
 }

@@ -44,16 +44,6 @@ TEST_CASE("geometry car: both ends of a converter are masked, from the first row
     for (std::size_t n = 0; n < 20; ++n) expected.insert(115 + 29 * n);
     CHECK(masked(record_of(Channel::lateral, x), Channel::lateral) == expected);
   }
-  for (const auto& [low, high, second] :
-       {std::array<std::size_t, 3>{9, 20, 1}, {20, 9, 1}, {20, 19, 2}, {20, 20, 2}, {19, 20, 2}}) {
-    auto x = clipped(low, high);
-    if (second == 2)  // values beside the ends that come twice
-      x[101] = x[103] = -0.045, x[116] = x[118] = 0.045;
-    Record r = record_of(Channel::lateral, x);
-    INFO(low << " low, " << high << " high, beside each " << second);
-    CHECK((finding(examine(r, {}), Fault::still, "lateral") != nullptr) ==
-          (low >= 10 * second && high >= 10 * second));
-  }
 }
 
 TEST_CASE(
@@ -168,36 +158,4 @@ TEST_CASE("geometry car: a distance that stands is doubted, where the car turns 
       CHECK(found->rows == c.rows);
       CHECK_THAT(found->text, Contains("stands still over " + std::to_string(c.rows) + " rows"));
     }
-  // At the very begin: one repeated mark is where a car may have turned; two are not.
-  for (const auto& [marks, expected] :
-       {std::pair{std::vector<long>{5, 5, 6, 7}, std::set<std::size_t>{}},
-        {{5, 5, 4, 3}, {}},
-        {{5, 5, 5, 6, 7}, {0, 1, 2}},
-        {{5, 5, 5, 4, 3}, {0, 1, 2}},
-        {{5, 6, 6, 5, 4}, {}},
-        {{5, 6, 6, 7, 8}, {1, 2}}}) {
-    Record r = record_of(height, quiet(1000));
-    r.mark = of(marks, true);
-    INFO(Catch::rangeToString(marks));
-    const Health health = examine(r, {});
-    CHECK(rows_of(health.place_doubted) == expected);
-    if (!expected.empty())
-      CHECK(finding(health, Fault::place, "distance")->first == *expected.begin() + 1);
-  }
-}
-
-TEST_CASE("geometry car: the paper's speeds below which a parameter is degraded or worse") {
-  for (const ParameterInfo& info : parameter_list()) {
-    const std::string name{info.name};
-    const bool curvature = name.rfind("curvature", 0) == 0,
-               still = name == "gage" || name == "crosslevel" || name == "warp";
-    INFO(name);
-    const double mph = 1609.344 / 3600;
-    CHECK(info.degraded_below == Approx(still ? 0 : curvature ? 2 * mph : 15 * mph));
-    CHECK(info.unreliable_below == Approx(still ? 0 : curvature ? 2 * mph : 5 * mph));
-    CHECK(info.si == (name == "curvature" ? 1e-3 : name == "curvature_rate" ? 1e-6 : 1e-3));
-    CHECK(info.unit == (name == "curvature"        ? "rad_per_km"
-                        : name == "curvature_rate" ? "rad_per_km2"
-                                                   : "mm"));
-  }
 }

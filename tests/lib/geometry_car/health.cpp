@@ -206,22 +206,6 @@ TEST_CASE("geometry car: each sensor's faults are found, and no good row is wron
   }
 }
 
-TEST_CASE("geometry car: a spike leaves a zero where it was, a step moves it from there on",
-          "[health]") {
-  const Journey clean = ride(60 * mph, true);
-  const auto lateral = static_cast<std::size_t>(Channel::lateral);
-  Record record = clean.record;
-  record[Channel::lateral][1200] += 0.1;
-  const Health spiked = examine(record, {});
-  CHECK(std::count(spiked.zero_doubted[lateral].begin(), spiked.zero_doubted[lateral].end(),
-                   true) == 0);
-  record = clean.record;
-  for (std::size_t i = 1600; i < record.size(); ++i) record[Channel::lateral][i] += 0.15;
-  const auto doubted = examine(record, {}).zero_doubted[lateral];
-  CHECK(std::count(doubted.begin(), doubted.begin() + 1595, true) == 0);
-  CHECK(std::count(doubted.begin() + 1605, doubted.end(), false) == 0);
-}
-
 TEST_CASE("geometry car: all sensors of a kind in the wrong unit", "[health]") {
   const Journey clean = ride(60 * mph, true);
   for (const int filter : {0, 1, 2}) {
@@ -253,33 +237,6 @@ TEST_CASE("geometry car: clocks and pulses that stop, leap or tick wrong", "[hea
   expect(clean, "the distance stands", "distance", [](Record& r) {
     for (std::size_t i = 1300; i < 1400; ++i) r.mark[i] = r.mark[1299];
   });
-}
-
-TEST_CASE("geometry car: findings name the sensor, its factor and the row", "[health]") {
-  const Journey clean = ride(60 * mph, true);
-  const auto first = [&](const std::function<void(Record&)>& fault) {
-    Record r = clean.record;
-    fault(r);
-    const Health h = examine(r, Processing{});
-    REQUIRE_FALSE(h.findings.empty());
-    return h.findings[0];
-  };
-  const Finding slip = first([](Record& r) {
-    for (double& v : r[Channel::vertical_left]) v /= units::standard_gravity;
-  });
-  CHECK(slip.fault == Fault::scale);
-  CHECK(slip.what == "vertical_left");
-  CHECK(slip.size == Approx(units::standard_gravity).epsilon(0.02));
-  CHECK_THAT(slip.text, Catch::Matchers::Contains("in g under a header of m/s^2"));
-  const Finding turned = first([](Record& r) {
-    for (double& v : r[Channel::roll_rate]) v = -v;
-  });
-  CHECK(turned.what == "roll_rate");
-  CHECK(turned.size == Approx(-1).epsilon(0.02));
-  const Finding jump = first([](Record& r) { r[Channel::inclinometer][1500] += 0.5; });
-  CHECK(jump.fault == Fault::jump);
-  CHECK(std::abs(static_cast<double>(jump.first) - 1500) <= 2);
-  CHECK(jump.size == Approx(0.5).epsilon(0.1));
 }
 
 TEST_CASE("geometry car: a factor is named by the slip of units that it stands for", "[health]") {
@@ -352,7 +309,7 @@ TEST_CASE("geometry car: a time that was held before it leapt is doubted from it
   const auto doubted = [](Record r) { return examine(r, {}).clock_doubted; };
   CHECK_FALSE(doubted(record)[1200]);
   record.elapsed[1300] *= 0.5;
-  const std::vector<bool> found = doubted(record);
+  const auto found = doubted(record);
   for (std::size_t i = 1100; i <= 1300; ++i) REQUIRE(found[i]);
   CHECK(std::count(found.begin(), found.begin() + 1095, true) == 0);
   CHECK(std::count(found.begin() + 1400, found.end(), true) == 0);

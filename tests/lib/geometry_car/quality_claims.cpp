@@ -2,7 +2,6 @@
 // be trusted, by windows that are looked through row by row and sensors that are found by
 // disturbing them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <vector>

@@ -4,17 +4,21 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/geometry_car/health.hpp>
 #include <railbook/geometry_car/reconstruct.hpp>
 #include <railbook/geometry_car/sensors.hpp>
 #include <railbook/geometry_car/simulate.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "support/final_position.hpp"
+#include "support/no_fp_fault.hpp"
 
 using namespace railbook;
 using namespace railbook::geometry_car;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -48,22 +52,6 @@ double error(const Measurement& m, const Measurement& t, Parameter p) {
 
 }  // namespace
 
-TEST_CASE("geometry car: ideal sensors at 60 mph give the track back", "[reconstruction]") {
-  const Track track = test_track();
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const auto t = truth(track, p), m = reconstruct(cruise(track, car, 60 * mph), p);
-  using enum Parameter;
-  CHECK(error(m, t, gage) < 1e-12);
-  CHECK(error(m, t, crosslevel) < 1.5 * mm);
-  CHECK(error(m, t, curvature) < 0.03 * units::degree / (100 * units::foot));
-  CHECK(error(m, t, profile_left) < 0.05 * mm);
-  CHECK(error(m, t, profile_right) < 0.05 * mm);
-  CHECK(error(m, t, alignment_left) < 0.7 * mm);
-  CHECK(error(m, t, surface_left) < 0.2 * mm);
-  CHECK(error(m, t, gage) >= 0);
-}
-
 TEST_CASE("geometry car: each correction that is left out costs", "[reconstruction]") {
   const Track track = test_track();
   const Car car;
@@ -87,7 +75,7 @@ TEST_CASE("geometry car: each correction that is left out costs", "[reconstructi
   CHECK(without(&Corrections::beam_height, alignment_left) > 1.05);
 }
 
-TEST_CASE("geometry car: backing and turned about, the same track", "[reconstruction]") {
+TEST_CASE("geometry car: backing, the same track", "[reconstruction]") {
   const Track track = test_track();
   const Car car;
   const Processing p{.layout = car.layout};
@@ -104,19 +92,6 @@ TEST_CASE("geometry car: backing and turned about, the same track", "[reconstruc
   CHECK(error(m, t, Parameter::crosslevel) < 1.5 * mm);
   CHECK(error(m, t, Parameter::curvature) < 0.03 * units::degree / (100 * units::foot));
   CHECK(error(m, t, Parameter::warp) < 2.5 * mm);
-
-  const Track other = turned(track);
-  const auto there = truth(other, p), n = reconstruct(cruise(other, car, 30 * mph), p);
-  CHECK(error(n, there, Parameter::profile_left) < 3 * forward);
-  CHECK(error(n, there, Parameter::curvature) < 0.03 * units::degree / (100 * units::foot));
-  // What is left of the turned car is right of the other one, at the mark counted from the other
-  // end.
-  const auto marks = static_cast<long>(there.size());
-  const std::size_t k = 1500;
-  const auto i = static_cast<std::size_t>(marks - 1) - k;
-  CHECK(there[Parameter::profile_left][k] == Approx(t[Parameter::profile_right][i]));
-  CHECK(there[Parameter::curvature][k] == Approx(-t[Parameter::curvature][i]).margin(1e-12));
-  CHECK(there[Parameter::crosslevel][k] == Approx(-t[Parameter::crosslevel][i]));
 }
 
 TEST_CASE("geometry car: a stop and a turn cost their windows only", "[reconstruction]") {
@@ -141,36 +116,6 @@ TEST_CASE("geometry car: a stop and a turn cost their windows only", "[reconstru
   }
   CHECK(good > 900);
   CHECK(worst < 0.5 * mm);
-}
-
-TEST_CASE("geometry car: crosslevel begins when its filter has settled", "[reconstruction]") {
-  const Processing p;
-  const auto m = reconstruct(cruise(test_track(), {}, 20), p);
-  const auto& level = m[Parameter::crosslevel];
-  const auto first = std::find_if(level.begin(), level.end(), [](double x) { return x == x; });
-  const double tau = 1 / (2 * units::pi * p.roll_corner), row = units::foot / 20;
-  CHECK(row * static_cast<double>(first - level.begin() - 1) == Approx(8 * tau).margin(row));
-}
-
-TEST_CASE("geometry car: a missing value masks what depends on it", "[reconstruction]") {
-  const Track track = test_track();
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const Record clean = cruise(track, car, 45 * mph);
-  const auto whole = reconstruct(clean, p);
-  Record r = clean;
-  r[Channel::vertical_left][1400] = std::nan("");
-  const auto m = reconstruct(r, p);
-  using enum Parameter;
-  for (std::size_t i = 400; i + 400 < m.size(); ++i) {
-    const bool near = i + 332 > 1400 && i < 1400 + 332;
-    CHECK((near || m[profile_left][i] == Approx(whole[profile_left][i]).margin(1e-12)));
-    CHECK(std::isnan(m[alignment_left][i]) == std::isnan(whole[alignment_left][i]));
-    CHECK((std::isnan(m[alignment_left][i]) || m[alignment_left][i] == whole[alignment_left][i]));
-  }
-  CHECK(std::isnan(m[profile_left][1400]));
-  CHECK(std::isnan(m[profile_left][1100]));
-  CHECK(m[crosslevel][1400] == whole[crosslevel][1400]);
 }
 
 TEST_CASE("geometry car: a pulse too many is rejected and leaves no trace", "[reconstruction]") {
@@ -299,49 +244,137 @@ TEST_CASE("geometry car: behind a missing value crosslevel is as if the record b
   }
 }
 
-TEST_CASE("geometry car: what sensors feel of one motion adds up to zero, once their filters know",
-          "[reconstruction]") {
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const double speed = 25, T = car.layout.sample / speed;
-  Record r = cruise(test_track(), car, speed);
-  constexpr std::size_t gap = 1200;
-  for (const bool broken : {false, true}) {
-    if (broken)
-      for (const Channel c : {Channel::yaw_rate, Channel::roll_rate, Channel::height_left,
-                              Channel::sway_front_a, Channel::sway_rear})
-        r[c][gap] = std::nan("");
-    std::size_t rejected = 0;
-    std::vector<Run> runs = runs_of(r, p, rejected);
-    REQUIRE(runs.size() == 1);
-    load(runs[0], r);
-    const auto all = balances(runs[0], p);
-    REQUIRE(all.size() == 3);
-    for (std::size_t b = 0; b < 3; ++b) {
-      double squares = 0, strength = 0, n = 0;
-      for (std::size_t k = 0; k < r.size(); ++k) {
-        double sum = 0, size = 0;
-        for (const Term& t : all[b]) sum += t.values[k], size += t.values[k] * t.values[k];
-        if (std::isnan(sum)) continue;
-        squares += sum * sum, strength += size, ++n;
-      }
-      INFO("balance " << b);
-      CHECK(n > 1500);
-      CHECK(std::sqrt(squares / strength) < 0.05);
-      // Known again when what came before is forgotten: two times 1/corner later.
-      const auto wait = static_cast<std::size_t>(std::ceil(2 / car.layout.second_corner / T));
-      for (const Term& t : all[b]) {
-        const std::string name{channel_list()[static_cast<std::size_t>(t.channel)].name};
-        const bool itself = t.channel == Channel::inclinometer || t.channel == Channel::lateral ||
-                            name.starts_with("vertical");
-        if (itself || b == 2) continue;
-        INFO(name);
-        const bool lost = broken && std::isnan(r[t.channel][gap]);
-        for (std::size_t k = gap; k < gap + wait - 2; ++k) CHECK(std::isnan(t.values[k]) == lost);
-        CHECK_FALSE(std::isnan(t.values[gap + wait + 4]));
-        CHECK(std::isnan(t.values[wait - 2]));
-        CHECK_FALSE(std::isnan(t.values[wait + 4]));
-      }
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+Record journey(const Motion& motion) {
+  TrackDescription d;
+  d.length = 1500 * units::foot;
+  return drive(build(d), Car{}, motion);
+}
+
+Record cruise(double speed) {
+  Motion motion{.start = 80 * units::foot, .speed = speed};
+  return journey(motion.cruise(1400 * units::foot));
+}
+
+}  // namespace
+
+TEST_CASE("geometry car: a dead channel masks only what depends on it", "[extreme]") {
+  const NoFpFault no_fault;
+  const Record clean = cruise(25);
+  const Processing p;
+  const auto whole = reconstruct(clean, p);
+  for (const ChannelInfo& c : channel_list()) {
+    Record r = clean;
+    for (double& v : r[c.channel]) v = missing;
+    const auto m = reconstruct(r, p);
+    const bool gage = c.channel == Channel::gage_left || c.channel == Channel::gage_right;
+    CHECK(std::isnan(m[Parameter::gage][700]) == gage);
+    for (std::size_t q = 0; q < parameters; ++q) {
+      bool same = true;
+      for (std::size_t i = 0; i < m.size(); ++i)
+        same = same && (std::isnan(m.values[q][i]) || m.values[q][i] == whole.values[q][i]);
+      CHECK(same);
     }
+    for (const ParameterInfo& info : parameter_list())
+      CHECK(quality(m, info.parameter, p).size() == m.size());
   }
+}
+
+TEST_CASE("geometry car: whether sensors can be believed is asked without a fault", "[extreme]") {
+  const NoFpFault no_fault;
+  const Record clean = cruise(25);
+  for (const ChannelInfo& c : channel_list())
+    for (const double factor : {1.0, 0.0, missing, 1e12, 1e-12}) {
+      Record r = clean;
+      for (double& v : r[c.channel]) v *= factor;
+      CHECK(examine(r, {}).doubted[0].size() == r.size());
+    }
+  for (const double value : {missing, 0.0, 1e6}) {
+    Record r = clean;
+    for (auto& values : r.values)
+      for (double& v : values) v = value;
+    CHECK(examine(r, {}).findings.size() >= channels);
+  }
+}
+
+TEST_CASE("geometry car: times that cannot be", "[extreme]") {
+  const NoFpFault no_fault;
+  Record r = cruise(25);
+  const std::size_t n = r.size();
+  r.elapsed[640] = missing;
+  r.elapsed[680] = 0;
+  r.elapsed[720] = -1;
+  r.elapsed[750] = 1e-12;
+  CHECK_THROWS_WITH(reconstruct(r, Processing{}),
+                    Catch::Matchers::Contains("allowed: at least 663"));
+  r = cruise(25);
+  r.elapsed[n - 300] = missing;
+  r.elapsed[n - 200] = 1e-7;
+  const auto m = reconstruct(r, Processing{});
+  CHECK(m.rejected == 2);
+  CHECK(m.runs == 3);
+  r.elapsed[n - 100] = 1e9;  // a stop of thirty years
+  CHECK(reconstruct(r, Processing{}).rejected == 2);
+}
+
+namespace {
+
+Record still(std::size_t rows) {
+  Record r;
+  for (std::size_t i = 0; i < rows; ++i) {
+    r.elapsed.push_back(0.02);
+    r.mark.push_back(static_cast<long>(i));
+  }
+  for (auto& v : r.values) v.assign(rows, 0.0);
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("geometry car: a record too short names the least length", "[input]") {
+  CHECK_THROWS_WITH(reconstruct(still(662), {}), Contains("662 samples") &&
+                                                     Contains("at least 663") &&
+                                                     Contains("661 short chords"));
+  CHECK_NOTHROW(reconstruct(still(663), {}));
+  CHECK_THROWS_WITH(reconstruct(still(0), {}), Contains("at least 663"));
+}
+
+TEST_CASE("geometry car: a processing out of range is refused", "[input]") {
+  const auto refused = [](auto change, const char* what) {
+    Processing p;
+    change(p);
+    CHECK_THROWS_WITH(reconstruct(still(700), p), Contains(what));
+  };
+  refused([](auto& p) { p.layout.first_corner = 0; }, "corner of B");
+  refused([](auto& p) { p.layout.second_corner = -1; }, "corner of F");
+  refused([](auto& p) { p.layout.truck_spacing = 0; }, "spacing of the trucks");
+  refused([](auto& p) { p.layout.sample = 0; }, "distance between samples");
+  refused([](auto& p) { p.roll_corner = 0; }, "corner of the roll filter");
+  refused([](auto& p) { p.chain.high_pass.length = 150; }, "");
+  refused([](auto& p) { p.curvature_mean = 1; }, "samples of the curvature's mean is 1");
+  refused([](auto& p) { p.curvature_mean = 50; }, "mean are 50; allowed: odd numbers");
+}
+
+TEST_CASE("geometry car: track, journey and sensors out of range are refused", "[input]") {
+  TrackDescription d;
+  d.length = 100;
+  CHECK_THROWS_WITH(build(d), Contains("length of the track"));
+  d.length = 300;
+  d.surface.A = -1;
+  CHECK_THROWS_WITH(build(d), Contains("A"));
+  d.surface.A = 0;
+  const Track track = build(d);
+  const Car car;
+  Motion beyond{.start = 30, .speed = 10};
+  beyond.cruise(400);
+  CHECK_THROWS_WITH(drive(track, car, beyond), Contains("position of the car"));
+  Motion motion{.start = 30};
+  CHECK_THROWS_WITH(motion.cruise(10), Contains("speed to cruise at"));
+  CHECK_THROWS_WITH(motion.change_speed(3, 0), Contains("rate of change"));
+  Sensors s;
+  s[Channel::yaw_rate].density = -1;
+  CHECK_THROWS_WITH(measured(still(5), car.layout, s, 1), Contains("noise density of yaw_rate"));
 }

@@ -1,7 +1,6 @@
 // The journey against closed forms: steady motion in a curve, a sine under the bounce mode.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <complex>
 
 #include <railbook/geometry_car/simulate.hpp>
 #include <railbook/units/constants.hpp>
@@ -68,48 +67,6 @@ TEST_CASE("geometry car: a full curve at speed, every sensor by hand", "[simulat
   CHECK(r[height_left][at] - r[height_right][at] ==
         Approx(car.layout.transducers * (std::sin(lean) - std::sin(roll))).epsilon(1e-6));
   CHECK(r[gage_left][at] + r[gage_right][at] + car.layout.beam == Approx(56.5 * units::inch));
-}
-
-TEST_CASE("geometry car: the bounce mode and F on a sine, by their transfer functions",
-          "[simulation]") {
-  Track track = build(smooth(4000));
-  const double wave = 20, amplitude = 1e-3, v = 15;
-  for (std::size_t i = 0; i < track.size(); ++i) {
-    const double x = static_cast<double>(i) * track.spacing;
-    track.z_left[i] = track.z_right[i] = amplitude * std::sin(2 * units::pi * x / wave);
-  }
-  const Car car;
-  const Record r = cruise(track, car, v);
-  using C = std::complex<double>;
-  const C s{0, 2 * units::pi * v / wave};
-  const double w = 2 * units::pi, f = 2 * units::pi * car.layout.second_corner;
-  const C body = (0.4 * w * s + w * w) / (s * s + 0.4 * w * s + w * w);
-  const C out = s * s * body * std::pow(f / (s + f), 2);
-  double worst = 0;
-  for (std::size_t k = r.size() - 500; k < r.size(); ++k) {
-    const double x = static_cast<double>(r.mark[k]) * units::foot;
-    const C turn = std::polar(amplitude, 2 * units::pi * x / wave);
-    worst = std::max(worst, std::abs(r[Channel::vertical_left][k] - std::imag(out * turn)));
-    worst = std::max(worst,
-                     10 * std::abs(r[Channel::height_right][k] - std::imag((body - 1.0) * turn)));
-  }
-  CHECK(worst <
-        1e-4 * amplitude * std::norm(s));  // straight pieces of 1/16 ft under a wave of 20 m
-}
-
-TEST_CASE("geometry car: a change of speed is a leg of its own, whatever its size",
-          "[simulation]") {
-  Motion motion{.start = 0, .speed = 3};
-  for (const double to : {4.0, 3.0, 1.0, -1.0, -1.5}) {
-    const double before = motion.final_speed();
-    const std::size_t legs = motion.legs.size();
-    motion.change_speed(to, 0.25);
-    CHECK(motion.final_speed() == to);
-    REQUIRE(motion.legs.size() == legs + 1);
-    CHECK(motion.legs.back().duration == std::abs(to - before) / 0.25);
-    CHECK(motion.legs.back().acceleration == (to > before ? 0.25 : -0.25));
-    CHECK(motion.change_speed(to, 0.25).legs.size() == legs + 1);
-  }
 }
 
 TEST_CASE("geometry car: on a track upside down the body rides upside down, to the last digit",

@@ -5,14 +5,17 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include <railbook/num/eigenvalues.hpp>
 #include <railbook/num/even_filter.hpp>
 #include <railbook/num/fft.hpp>
 #include <railbook/num/fp_flags.hpp>
 #include <railbook/num/gsl.hpp>
+#include <railbook/num/median.hpp>
 #include <railbook/num/parallel.hpp>
 #include <railbook/num/quadrature.hpp>
 #include <railbook/num/roots.hpp>
@@ -24,123 +27,24 @@
 
 using namespace railbook;
 
-TEST_CASE("unit: Brent finds a root to the last digits") {
-  const num::Root root = num::find_root([](double x) { return std::cos(x) - x; }, 0, 1);
-  CHECK(root.converged);
-  CHECK(root.x == Approx(0.7390851332151606).epsilon(1e-15));
-  CHECK_THROWS_AS(num::find_root([](double x) { return x * x + 1; }, -1, 1), InputError);
-  CHECK_THROWS_AS(num::find_root([](double) { return std::nan(""); }, -1, 1), InputError);
-  CHECK_FALSE(num::find_root([](double x) { return x * x * x - 2; }, 0, 1e6, 1e-15, 3).converged);
-}
-
-TEST_CASE("unit: integrals, finite, singular and infinite") {
-  const double inf = std::numeric_limits<double>::infinity();
-  const auto root = num::integrate([](double x) { return 1 / std::sqrt(x); }, 0, 1);
-  CHECK(root.converged);
-  CHECK(std::abs(root.value - 2) <= std::max(root.error, 1e-10));
-  CHECK(num::integrate([](double x) { return std::exp(-x * x); }, -inf, inf).value ==
-        Approx(std::sqrt(units::pi)).epsilon(1e-10));
-  // The claimed error bounds the true one (a divergent integral says that it did not converge).
-  CHECK_FALSE(num::integrate([](double x) { return 1 / x; }, 0, 1).converged);
-  const num::GaussRule rule = num::gauss_legendre(5, 0, 2);
-  CHECK(rule.w.sum() == Approx(2).epsilon(1e-15));
-  CHECK(rule.w.dot(rule.x.array().pow(9).matrix()) == Approx(102.4).epsilon(1e-14));
-}
-
-TEST_CASE("unit: transforms match a direct sum") {
-  for (std::size_t n : {1U, 2U, 7U, 12U}) {
-    num::RealFft fft{n};
-    for (std::size_t j = 0; j < n; ++j) fft.real()[j] = std::sin(1.0 + double(j * j));
-    std::vector<double> before(fft.real().begin(), fft.real().end());
-    fft.forward();
-    for (std::size_t k = 0; k <= n / 2; ++k) {
-      std::complex<double> sum;
-      for (std::size_t j = 0; j < n; ++j)
-        sum += before[j] * std::polar(1.0, -2 * units::pi * double(k * j) / double(n));
-      CHECK(std::abs(sum - fft.spectrum()[k]) < 1e-13);
-    }
-    fft.inverse();
-    for (std::size_t j = 0; j < n; ++j)
-      CHECK(fft.real()[j] == Approx(double(n) * before[j]).margin(1e-13));
-  }
-}
-
-TEST_CASE("unit: a two-dimensional round trip returns n times the samples") {
-  num::RealFft2d fft{6, 5};
-  CHECK(fft.spectrum().size() == 6 * 3);
-  CHECK(fft.real().size() == 2 * 6 * 3);
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 5; ++j) fft.row(i)[j] = double(10 * i + j);
-  fft.forward();
-  CHECK(fft.spectrum()[0].real() == Approx(810));
-  fft.inverse();
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 5; ++j)
-      CHECK(fft.row(i)[j] == Approx(30.0 * double(10 * i + j)).margin(1e-11));
-}
-
-TEST_CASE("unit: an even filter is the sum over its kernel, whatever the threads") {
-  constexpr std::size_t rows = 5, columns = 7;
-  const auto kernel = [](std::size_t v, std::size_t u) {
-    return 1 / (1.0 + double(v * v + 2 * u));
-  };
-  for (const auto& [tall, wide] : {std::pair<std::size_t, std::size_t>{9, 14}, {10, 13}}) {
-    num::EvenFilter filter(rows, columns, tall, wide, 3);
-    for (std::size_t v = 0; v < rows; ++v)
-      for (std::size_t u = 0; u < columns; ++u) filter.at(v, u) = kernel(v, u);
-    filter.transform_kernel();
-    num::Workspace space(filter.workspace());
-    std::vector<double> in(rows * columns), out(in.size());
-    for (std::size_t n = 0; n < in.size(); ++n) in[n] = std::sin(1.0 + double(n * n));
-    filter.apply(in.data(), out.data(), space.data());
-    const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
-    for (std::size_t n = 0; n < in.size(); ++n) {
-      double sum = 0;
-      for (std::size_t m = 0; m < in.size(); ++m)
-        sum += in[m] * kernel(apart(n / columns, m / columns), apart(n % columns, m % columns));
-      CHECK(out[n] == Approx(sum).margin(1e-13));
-    }
-  }
-}
-
-TEST_CASE("unit: a reduction in blocks does not depend on the threads, and covers all") {
-  const auto sum = [](int threads, std::size_t count) {
-    return num::reduce_in_blocks(
-        threads, count,
-        [](std::size_t begin, std::size_t end) {
-          double part = 0;
-          for (std::size_t k = begin; k < end; ++k) part += 1 / double(k + 1);
-          return part;
-        },
-        [](double a, double b) { return a + b; });
-  };
-  CHECK(sum(1, 0) == 0);
-  CHECK(sum(2, 1) == 1);
-  CHECK(sum(1, 100000) == sum(3, 100000));
-  CHECK(sum(1, 100000) == Approx(12.090146129863428));
-}
-
-TEST_CASE("unit: good sizes have no factor above seven") {
-  CHECK(num::good_fft_size(1) == 1);
-  CHECK(num::good_fft_size(11) == 12);
-  CHECK(num::good_fft_size(509) == 512);
-  CHECK(num::good_fft_size(4093) == 4096);
-}
-
 TEST_CASE("unit: a failing GSL status is an exception with its text") {
   CHECK_THROWS_WITH(num::check_gsl(4, "my routine"), Catch::Contains("my routine"));
   CHECK_NOTHROW(num::check_gsl(0, ""));
 }
 
-TEST_CASE("unit: parallel parts cover every item once, whatever the threads") {
-  for (const int threads : {-1, 1, 2, 3, 7})
-    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
-      std::vector<int> visits(count);
-      num::in_parallel(threads, count, [&](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t k = begin; k < end; ++k) ++visits[k];
-      });
-      CHECK(std::count(visits.begin(), visits.end(), 1) == static_cast<long>(count));
+TEST_CASE("unit: the upper median is the middle one in order") {
+  std::vector<double> none;
+  CHECK(num::upper_median(none) == 0);
+  std::mt19937 random(3);
+  for (const int different : {1, 2, 5, 1000}) {
+    for (std::size_t n = 1; n < 200; ++n) {
+      std::vector<double> values(n);
+      for (double& value : values) value = static_cast<double>(random() % unsigned(different));
+      std::vector<double> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      REQUIRE(num::upper_median(values) == sorted[n / 2]);
     }
+  }
 }
 
 TEST_CASE("unit: what items make comes in their order, and the first failure is reported") {
@@ -202,4 +106,90 @@ TEST_CASE("unit: the sine integral at its ends") {
   CHECK(num::sine_integral(-infinity) == -std::numbers::pi / 2);
   CHECK(std::isnan(num::sine_integral(std::nan(""))));
   CHECK(num::sine_integral(0) == 0);
+}
+
+TEST_CASE("eigenvalues of a rotation, of a symmetric matrix, and of none", "[num][unit]") {
+  Eigen::MatrixXd turn(2, 2);
+  turn << 3, -4, 4, 3;  // 3 +- 4i
+  const Eigen::VectorXcd pair = num::eigenvalues(turn);
+  CHECK(pair[0].real() == Approx(3).epsilon(1e-14));
+  CHECK(pair[0].imag() == Approx(4).epsilon(1e-14));
+  CHECK(pair[1] == std::conj(pair[0]));
+
+  Eigen::MatrixXd spring(3, 3);
+  spring << 2, -1, 0, -1, 2, -1, 0, -1, 2;  // 2 - sqrt 2, 2, 2 + sqrt 2
+  const Eigen::VectorXd ascending = num::symmetric_eigenvalues(spring);
+  CHECK(ascending[0] == Approx(2 - std::sqrt(2.0)).epsilon(1e-14));
+  CHECK(ascending[1] == Approx(2).epsilon(1e-14));
+  CHECK(ascending[2] == Approx(2 + std::sqrt(2.0)).epsilon(1e-14));
+
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int n = 2; n <= 40; ++n) {
+    const Eigen::VectorXcd all =
+        num::eigenvalues(Eigen::MatrixXd::NullaryExpr(n, n, [&] { return normal(random); }));
+    for (Eigen::Index k = 0; k < n; ++k) {
+      if (all[k].imag() == 0) continue;
+      CHECK(all[k].imag() > 0);
+      REQUIRE(k + 1 < n);
+      CHECK(all[k + 1] == std::conj(all[k]));
+      CHECK(std::abs(all[k + 1]) == std::abs(all[k]));
+      ++k;
+    }
+  }
+
+  turn(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(num::eigenvalues(turn), std::runtime_error);
+}
+
+namespace {
+
+volatile double zero = 0;
+volatile double sink = 0;
+
+}  // namespace
+
+TEST_CASE("extreme: a floating-point exception is reported by name and does not stop the program") {
+  const num::FpFlags flags;
+  CHECK(flags.raised().empty());
+  sink = 1.0 / zero;
+  CHECK(flags.raised() == "a division by zero");
+  sink = zero / zero;
+  CHECK(flags.raised() == "an invalid operation and a division by zero");
+  CHECK(sink != sink);
+}
+
+TEST_CASE("extreme: a guard sees what it encloses, and tells the guards around it") {
+  const num::FpFlags outer;
+  sink = 1.0 / zero;
+  {
+    const num::FpFlags inner;
+    CHECK(inner.raised().empty());
+    sink = zero / zero;
+    CHECK(inner.raised() == "an invalid operation");
+  }
+  CHECK(outer.raised() == "an invalid operation and a division by zero");
+}
+
+TEST_CASE("extreme: exceptions set aside leave no flag, and earlier flags are kept") {
+  const num::FpFlags flags;
+  {
+    const num::FpFlagsAside aside;
+    sink = zero / zero;
+  }
+  CHECK(flags.raised().empty());
+  sink = 1.0 / zero;
+  {
+    const num::FpFlagsAside aside;
+    sink = zero / zero;
+  }
+  CHECK(flags.raised() == "a division by zero");
+}
+
+TEST_CASE("extreme: a number that underflows or is rounded raises nothing") {
+  const num::FpFlags flags;
+  sink = std::numeric_limits<double>::min();
+  sink = sink * sink;
+  sink = 1.0 / 3.0;
+  CHECK(flags.raised().empty());
 }

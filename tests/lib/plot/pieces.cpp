@@ -4,9 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -167,20 +165,6 @@ TEST_CASE("unit: gnuplot ends with all it started, and leaves no file open") {
     kill(child, SIGKILL);
   }
   CHECK(open_files() == before);
-}
-
-TEST_CASE("unit: a group that holds something stays, and a background of the script's own") {
-  const std::string svg = "<svg >\n<g a>\n<text>t</text>\n</g>\n<g b\nc>\n</g>\n<g d>\n</svg>\n";
-  std::string printed = svg;
-  for (std::size_t at = 0; (at = printed.find('\n', at)) != svg.npos; at += 2)
-    printed.replace(at, 1, "\\n");
-  StandIn gnuplot("", printed);
-  const auto script =
-      gnuplot.at.write("fig.gp", "set terminal pngcairo background rgb \"black\"\na\n");
-  const std::string fonts = "font-family=\"DejaVu Sans, Verdana, sans-serif\" ";
-  CHECK(plot::draw_svg(script, {gnuplot.data}) == "<svg " + fonts + svg.substr(5));
-  CHECK(gnuplot.at.read("script.gp") ==
-        "set terminal svg background rgb \"black\" font \"DejaVu Sans,14\"\na\n");
 }
 
 TEST_CASE("input: a time for gnuplot that is none is the usual one, a minute") {

@@ -15,33 +15,6 @@ using namespace railbook::quality;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
-  std::vector<double> p(5000);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    p[i] = 1.25 * std::sin(2 * units::pi * (static_cast<double>(i) + 0.5) / 100);
-  IndexBuilder whole{{.spacing = 0.2}}, pieces{{.spacing = 0.2}};
-  whole.push(p);
-  whole.finish();
-  for (std::size_t i = 0; i < p.size(); i += 250) pieces.push(std::span{p}.subspan(i, 250));
-  pieces.finish();
-  const QualityIndex q = whole.index();
-  CHECK_THAT(q.mean, WithinRel(1.25 * 2 / units::pi, 1e-3));
-  CHECK_THAT(q.rms, WithinRel(1.25 / std::sqrt(2.0), 1e-12));
-  CHECK_THAT(q.largest, WithinRel(1.25, 1e-3));
-  CHECK(whole.exceedances().size() == 100);
-  CHECK_THAT(q.exceedances_per_km, WithinRel(100.0, 1e-12));
-  CHECK_THAT(q.above_per_km, WithinRel(5000 * (1 - 2 * std::asin(0.8) / units::pi), 0.03));
-  for (std::size_t i = 1; i + 1 < 100; ++i) {
-    CHECK_THAT(whole.exceedances()[i].wavelength, WithinAbs(20, 1e-3));
-    CHECK_FALSE(whole.exceedances()[i].cut);
-  }
-  CHECK(whole.exceedances().front().cut);
-  CHECK_THAT(whole.exceedances()[3].at, WithinAbs(35, 0.21));
-  REQUIRE(pieces.exceedances().size() == 100);
-  CHECK(pieces.index().rms == q.rms);
-  CHECK(pieces.exceedances()[57].at == whole.exceedances()[57].at);
-}
-
 TEST_CASE("Index: gaps, a flat record and an empty one", "[quality]") {
   const NoFpFault no_fault;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -149,20 +122,6 @@ TEST_CASE("Index by segment: aligned with the kilometre posts, exceedances where
   CHECK_THROWS_AS(IndexBuilder({.spacing = 1, .segment = 0.5}), InputError);
 }
 
-TEST_CASE("Index: short pieces between gaps are all unsure", "[quality]") {
-  IndexBuilder b{{.spacing = 0.25, .margin = 55}};
-  for (int i = 0; i < 1000; ++i)
-    b.push(std::vector<double>{i % 97 == 5 ? std::numeric_limits<double>::quiet_NaN() : 0.5});
-  b.finish();
-  CHECK(b.unsure() == 1);
-}
-
-TEST_CASE("Risk: values by quadrature in 113 bits", "[quality]") {
-  CHECK_THAT(failure_probability(0.2, 0.25, 1, 0.1), WithinRel(0.00148355295, 1e-8));
-  CHECK_THAT(share_above(0.2, 0.25, 1), WithinRel(6.871379e-04, 1e-6));
-  CHECK_THAT(diffused_deviation(0.3, 0.02, 4), WithinRel(0.5, 1e-14));
-}
-
 TEST_CASE("The blob: constants, area, and finite volumes that keep it", "[quality]") {
   CHECK_THAT(blob_front(1), WithinAbs(0.74741205, 5e-9));
   CHECK_THAT(blob_height(0, 1), WithinAbs(0.79515947, 5e-9));
@@ -176,60 +135,4 @@ TEST_CASE("The blob: constants, area, and finite volumes that keep it", "[qualit
   CHECK_THAT(mean(s.profile), WithinAbs(0, 1e-12));
   CHECK_THAT(deviation(s.profile), WithinRel(std::sqrt(3.0 / 11) * blob_front(10), 5e-3));
   CHECK_THAT(s.profile.height[150], WithinRel(blob_height(s.profile.x(150), 10), 3e-3));
-}
-
-TEST_CASE("Diffusion by the same volumes is Gaussian, second order in time and space",
-          "[quality]") {
-  double last = 0;
-  for (const int n : {100, 200}) {
-    Histogram p{-4 + 4.0 / n, 8.0 / n, {}};
-    for (int i = 0; i < n; ++i) {
-      const double x = p.x(static_cast<std::size_t>(i));
-      p.height.push_back(std::exp(-0.5 * x * x / 0.09) / (0.3 * std::sqrt(2 * units::pi)));
-    }
-    const Spread s = spread({0.02, 0}, p, 1, 11, n / 2);
-    REQUIRE(s.converged);
-    const double sd = diffused_deviation(0.3, 0.02, 10);
-    double worst = 0;
-    for (std::size_t i = 0; i < s.profile.height.size(); ++i) {
-      const double u = s.profile.x(i) / sd;
-      worst = std::max(worst, std::abs(s.profile.height[i] -
-                                       std::exp(-0.5 * u * u) / (sd * std::sqrt(2 * units::pi))));
-    }
-    if (last > 0) CHECK(last / worst > 3.5);
-    last = worst;
-  }
-  CHECK(last < 1e-3);
-}
-
-TEST_CASE("The blob's edge stands within half a cell; the mean error falls with order 4/3",
-          "[quality]") {
-  const double end = 10, front = blob_front(end), top = blob_height(0, end);
-  const double place = front * std::sqrt(1 - 1e-3);  // where h is a tenth of its top
-  const auto cell_means = [](double t, int cells) {
-    Histogram p{-1.5 + 1.5 / cells, 3.0 / cells, {}};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
-      double sum = 0;
-      for (int j = 0; j < 16; ++j) sum += blob_height(p.x(i) + p.width * ((j + 0.5) / 16 - 0.5), t);
-      p.height.push_back(sum / 16);
-    }
-    return p;
-  };
-  std::vector<double> means;
-  for (const int cells : {50, 100, 200, 400, 800}) {
-    const Spread s = spread({}, cell_means(1, cells), 1, end, cells);
-    REQUIRE(s.converged);
-    const Histogram& p = s.profile;
-    const Histogram exact = cell_means(end, cells);
-    double mean_error = 0, edge = 1e9;
-    for (std::size_t i = 0; i < p.height.size(); ++i)
-      mean_error += std::abs(p.height[i] - exact.height[i]) / top * p.width;
-    for (std::size_t i = p.height.size() / 2; i + 1 < p.height.size(); ++i) {
-      const double a = p.height[i] - 0.1 * top, b = p.height[i + 1] - 0.1 * top;
-      if (a >= 0 && b < 0) edge = p.x(i) + p.width * a / (a - b);
-    }
-    CHECK(std::abs(edge - place) < 0.5 * p.width);
-    means.push_back(mean_error);
-  }
-  CHECK_THAT(std::log(means.front() / means.back()) / std::log(16.0), WithinAbs(4.0 / 3, 0.1));
 }

@@ -1,7 +1,6 @@
 // The accuracy that lib/quality states of limits, severities, histograms and their spreading, on
 // seeded inputs over its range: in 80-bit arithmetic and by scans.
 #include <cmath>
-#include <vector>
 
 #include <railbook/quality/bump_stops.hpp>
 #include <railbook/quality/descriptor.hpp>

@@ -1,7 +1,6 @@
 // The accuracy that lib/quality states of motions with bump stops and of spreading histograms: by
 // an integrator that knows nothing of the stops' switches, by quadrature and by what must be kept.
 #include <cmath>
-#include <vector>
 
 #include <railbook/num/dopri5.hpp>
 #include <railbook/num/quadrature.hpp>

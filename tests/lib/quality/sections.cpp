@@ -1,16 +1,27 @@
-#include <railbook/quality/sections.hpp>
-
-#include <array>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <map>
+#include <span>
+#include <string>
 #include <vector>
 
+#include <railbook/num/random_stream.hpp>
+#include <railbook/quality/alignment.hpp>
 #include <railbook/quality/exceptions.hpp>
+#include <railbook/quality/measure.hpp>
+#include <railbook/quality/sections.hpp>
 #include <railbook/spectra/reference_spectra.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/quantity.hpp>
 
 using namespace railbook;
+using namespace railbook::quality;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -79,34 +90,176 @@ TEST_CASE("unit: sections begin at multiples of their length, whichever way the 
   }
 }
 
-TEST_CASE("unit: twist, combined deviation and China's index, by hand") {
-  quality::Twist twist{3, 0.25};
-  CHECK(twist.base() == 3);
-  for (int i = 0; i < 12; ++i) CHECK(std::isnan(twist.push(1e-3 * i)));
-  CHECK(twist.push(1e-3 * 12) == Approx(4e-3));  // 1 mm a quarter metre
-  const std::array four{3e-3, 4e-3};
-  CHECK(quality::combined_deviation(four) == Approx(5e-3));
-  const std::array weights{1.0, 0.0};
-  CHECK(quality::combined_deviation(four, weights) == Approx(3e-3));
-  CHECK_THROWS_AS(quality::combined_deviation(four, std::array{1.0}), InputError);
-  const std::array<double, 7> seven{2.07, 2.07, 1.99, 1.99, 1.17, 1.60, 1.23};
-  CHECK(quality::track_quality_index(seven) == Approx(12.12));
+namespace {
+
+constexpr double foot = units::foot, inch = units::inch;
+
+std::vector<double> drawn(std::size_t n, std::uint64_t seed) {
+  num::RandomStream draw(seed);
+  std::vector<double> record(n);
+  for (double& z : record) z = draw(-1, 1);
+  return record;
 }
 
-TEST_CASE("unit: exceptions are runs beyond the limit, on one side, ended by a gap") {
-  quality::Exceptions exceptions{1, [](std::size_t i) { return 10.0 * static_cast<double>(i); }};
-  const double gap = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> all{0, 1, 1.5, 3, 2, 1, -2, -1.5, 2, gap, 2, 0};
-  exceptions.push(std::span{all}.first(4));
-  exceptions.push(std::span{all}.subspan(4));
-  REQUIRE(exceptions.all().size() == 4);
-  const auto& first = exceptions.all()[0];
-  CHECK(first.from == 20);
-  CHECK(first.to == 40);
-  CHECK(first.largest == 3);
-  CHECK(first.at == 30);
-  CHECK(exceptions.all()[1].largest == -2);
-  CHECK(exceptions.all()[1].to == 70);
-  CHECK(exceptions.all()[3].from == 100);
-  CHECK_THROWS_AS(quality::Exceptions(0, [](std::size_t) { return 0.0; }), InputError);
+// In pieces of uneven lengths.
+std::vector<double> measured(const Measure& measure, double spacing,
+                             std::span<const double> record) {
+  std::vector<double> found;
+  MeasureStream stream{measure, 2, spacing, [&](std::span<const double> values) {
+                         found.insert(found.end(), values.begin(), values.end());
+                       }};
+  for (std::size_t at = 0, piece = 1; at < record.size(); at += piece, piece = piece * 3 % 101 + 1)
+    stream.push(record.subspan(at, std::min(piece, record.size() - at)));
+  stream.finish();
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("unit: each measure gives what its own class gives, and no more beside a gap") {
+  auto record = drawn(4000, 2);
+  const double spacing = 0.25;
+  const auto all = [&](const char* text, double mean = 0) {
+    Measure measure = parse_measure(text);
+    if (mean > 0) measure.mean = Measure::Mean::subtracted, measure.mean_length = mean;
+    return measure;
+  };
+  CHECK(measured(parse_measure(""), spacing, record) == record);
+  Twist twist{3, spacing};
+  Warp warp{62 * foot, spacing};
+  const auto twists = measured(parse_measure("twist 3m"), spacing, record),
+             warps = measured(parse_measure("change 62ft"), spacing, record);
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const double is = twist.push(record[i]);
+    CHECK((std::isnan(is) ? std::isnan(twists[i]) : is == twists[i]));
+    CHECK(warps[i] == warp.push(record[i]));
+  }
+  const auto bands = measured(parse_measure("3m-25m"), spacing, record),
+             whole = filters::filter(filters::band_taps(filters::bands[1], 2, spacing), record);
+  for (std::size_t i = 100; i + 100 < record.size(); ++i) CHECK(bands[i] == Approx(whole[i]));
+  // A chord that the library has twice.
+  const auto chords = measured(parse_measure("chord 62ft"), spacing, record),
+             taps = filters::filter(filters::chord_taps(62 * foot, spacing), record);
+  for (std::size_t i = 40; i + 40 < record.size(); ++i)
+    CHECK(chords[i] == Approx(taps[i]).margin(1e-13));
+  // Less the mean of 401 samples, of the samples themselves and of the offsets.
+  for (const char* const text : {"", "chord 3m+7m"}) {
+    const auto plain = measured(parse_measure(text), spacing, record),
+               rest = measured(all(text, 100), spacing, record);
+    for (std::size_t i = 300; i + 300 < record.size(); i += 7) {
+      double sum = 0;
+      for (std::size_t k = i - 200; k <= i + 200; ++k) sum += plain[k];
+      CHECK(rest[i] == Approx(plain[i] - sum / 401).margin(1e-13));
+    }
+  }
+  // What a lost sample takes with it is within the reach, and reaches to its end.
+  record[2000] = std::nan("");
+  for (const Measure& measure :
+       {all(""), all("D1"), all("chord 20m"), all("chord 3m+7m"), all("uniformity 31ft"),
+        all("twist 3m"), all("", 50), all("D1", 50), all("chord 3m+7m", 20), all("twist 3m", 20)}) {
+    const MeasureStream stream{measure, 2, spacing, nullptr};
+    const auto found = measured(measure, spacing, record);
+    REQUIRE(found.size() == record.size());
+    std::size_t farthest = 0;
+    for (std::size_t i = 1000; i < 3000; ++i)
+      if (std::isnan(found[i])) farthest = std::max(farthest, i > 2000 ? i - 2000 : 2000 - i);
+    CAPTURE(static_cast<int>(measure.kind), measure.length, measure.mean_length);
+    CHECK(farthest == stream.reach());
+  }
+}
+
+TEST_CASE("input: measures in words") {
+  CHECK(parse_measure("D2").band.longest == 70);
+  CHECK(parse_measure("1.5m-42m").band.longest == 42);
+  CHECK(parse_measure("chord 10m").chord.before == 5);
+  CHECK(parse_measure("chord 3m+7m").chord.after == 7);
+  CHECK(parse_measure("chord 18.9m").is_like(parse_measure("chord 62ft")));
+  CHECK_FALSE(parse_measure("chord 3m+7m").is_like(parse_measure("chord 7m+3m")));
+  CHECK_FALSE(parse_measure("chord 10m").is_like(parse_measure("uniformity 10m")));
+  CHECK(parse_measure("D1").is_like(parse_measure("3m-25m")));
+  CHECK_FALSE(parse_measure("D1").is_like(parse_measure("")));
+  for (const char* const text : {"D4", "3-25", "25m-3m", "3m-3.2m", "3m-", "-3m", "chord",
+                                 "chord 10", "chord 0m", "chord 3m+", "chord 3m+-7m",
+                                 "uniformity 3m+7m", "twist", "twist -3m", "change 62", "warp 3m"})
+    CHECK_THROWS_AS(parse_measure(text), InputError);
+  CHECK_THROWS_WITH(filters::parse_band("bands", "D9"),
+                    Contains("bands: \"D9\"; allowed: D0, D1, D2, D3"));
+}
+
+// Limits of both signs are whole eighths of an inch, and no higher class allows more.
+TEST_CASE("unit: the shipped limits of the FRA") {
+  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
+  const auto file = table::read_table(root / "tools/quality/fra-49-cfr-213.csv");
+  std::map<std::string, std::vector<double>> rising;
+  for (const auto& cells : file.rows) {
+    const double low = units::parse_quantity("low", cells.at(4), units::length),
+                 high = units::parse_quantity("high", cells.at(5), units::length);
+    CAPTURE(cells.at(0), cells.at(1), cells.at(3));
+    CHECK(cells.at(2) == "peak");
+    CHECK(low == (cells.at(0) == "gauge" ? 56 * inch : -high));
+    CHECK(std::abs(8 * high / inch - std::round(8 * high / inch)) < 1e-9);
+    rising[cells.at(0) + " " + cells.at(1)].push_back(high);
+  }
+  CHECK(rising.size() == 8);
+  for (const auto& [of, high] : rising) {
+    CAPTURE(of);
+    CHECK(high.size() == (of.find("uniformity") == of.npos ? 5 : 4));
+    CHECK(std::ranges::is_sorted(high, std::greater<>{}));
+  }
+}
+
+namespace {
+
+// Rough track as a sum of many waves, so that it can be read anywhere.
+double height(double x) {
+  double z = 0;
+  for (int k = 1; k < 60; ++k) z += std::cos(0.13 * k * x + k * k * 1.7) / k;
+  return 1e-3 * z;
+}
+
+}  // namespace
+
+TEST_CASE("unit: a run that slips against another is found again, to a fraction of a sample") {
+  const double h = 0.25;
+  std::vector<double> a(12000), b(12000);
+  const auto slip = [](double x) {
+    return 3.3 + 1e-3 * x;
+  };  // m, what the second run counts too much
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = h * static_cast<double>(i);
+    a[i] = height(x);
+    b[i] = height(x - slip(x)) + 2e-5 * std::sin(37.0 * x);
+  }
+  for (std::size_t i = 5000; i < 5100; ++i) a[i] = std::numeric_limits<double>::quiet_NaN();
+  const auto matches = quality::align(a, b, h);
+  CHECK(matches.size() == 29);
+  for (const auto& m : matches) {
+    CHECK(m.found);
+    CHECK(m.correlation > 0.95);
+    const double x = h * static_cast<double>(m.centre);
+    CHECK(m.offset == Approx(slip(x + m.offset)).margin(0.05));
+  }
+  CHECK(quality::offset_at(matches, 6000) == Approx(slip(1505)).margin(0.05));
+}
+
+TEST_CASE("unit: another track is not found") {
+  std::vector<double> a(4000), b(4000);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = height(0.25 * static_cast<double>(i));
+    b[i] = height(9000 + 0.31 * static_cast<double>(i));
+  }
+  for (const auto& m : quality::align(a, b, 0.25, {.least = 0.6})) {
+    CHECK_FALSE(m.found);
+    CHECK(m.offset / 0.25 == std::round(m.offset / 0.25));  // and not looked for between samples
+  }
+  const std::vector<double> still(a.size(), 0.0);  // is like nothing, and nothing like it
+  for (const auto& matches : {quality::align(a, still, 0.25), quality::align(still, b, 0.25)})
+    for (const auto& m : matches) {
+      CHECK_FALSE(m.found);
+      CHECK(m.correlation == -1);
+    }
+  CHECK(quality::offset_at({}, 7) == 0);
+  CHECK_THROWS_AS(quality::align(a, b, 0), InputError);
+  CHECK_THROWS_AS(quality::align(a, b, 0.25, {.window = 1}), InputError);
+  CHECK_THROWS_AS(quality::align(a, b, 0.25, {.window = 5000}), InputError);
 }

@@ -153,25 +153,6 @@ TEST_CASE("unit: cells that stand for lost samples, by their number or by their 
   CHECK(read(text, {.missing = {"-9999", "off"}}).stream->bridged() == 2);
 }
 
-TEST_CASE("unit: the columns of one pass are those of a pass each") {
-  const std::string text = rows("distance_m,left_mm,right_mm", [](int i) {
-    return std::to_string(i) + "," + std::to_string(i % 7) + ",";
-  });
-  const TemporaryFolder folder("record file");
-  records::RecordFile input{.file = folder.write("record.csv", text)};
-  std::vector<double> left, right;
-  const auto into = [](std::vector<double>& all) {
-    return [&all](std::span<const double> piece, const records::RecordStream&) {
-      all.insert(all.end(), piece.begin(), piece.end());
-    };
-  };
-  const auto both = records::read_records(input, {"right", "left"}, {into(right), into(left)});
-  CHECK(both.size() == 2);
-  CHECK(right == read(text, {.column = "right"}).heights);
-  CHECK(left == read(text, {.column = "left"}).heights);
-  CHECK(left != right);
-}
-
 TEST_CASE("unit: progress of reading is reported where the size is known") {
   std::vector<double> shares;
   read(rows(
@@ -277,4 +258,23 @@ TEST_CASE("input: a word that stands for a lost sample is named with its option,
     CHECK_THROWS_WITH(read(text), Contains(std::string{"--missing \""} + word + "\""));
     CHECK(read(text, {.missing = {word}}).stream->bridged() == 1);
   }
+}
+
+TEST_CASE("unit: the columns of one pass are those of a pass each") {
+  const std::string text = rows("distance_m,left_mm,right_mm", [](int i) {
+    return std::to_string(i) + "," + std::to_string(i % 7) + ",";
+  });
+  const TemporaryFolder folder("record file");
+  records::RecordFile input{.file = folder.write("record.csv", text)};
+  std::vector<double> left, right;
+  const auto into = [](std::vector<double>& all) {
+    return [&all](std::span<const double> piece, const records::RecordStream&) {
+      all.insert(all.end(), piece.begin(), piece.end());
+    };
+  };
+  const auto both = records::read_records(input, {"right", "left"}, {into(right), into(left)});
+  CHECK(both.size() == 2);
+  CHECK(right == read(text, {.column = "right"}).heights);
+  CHECK(left == read(text, {.column = "left"}).heights);
+  CHECK(left != right);
 }

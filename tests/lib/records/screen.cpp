@@ -1,14 +1,14 @@
-#include <railbook/records/screen.hpp>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <railbook/records/record.hpp>
+#include <railbook/records/screen.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/warning.hpp>
@@ -16,6 +16,7 @@
 #include "support/no_fp_fault.hpp"
 
 using namespace railbook;
+using Catch::Matchers::Contains;
 using records::Fault;
 
 namespace {
@@ -54,12 +55,6 @@ struct Direct {
   }
 };
 
-// Steps of 1 mm, up and down.
-std::vector<double> saw(std::size_t samples) {
-  std::vector<double> z(samples);
-  for (std::size_t i = 0; i < samples; ++i) z[i] = i % 2 == 0 ? 0 : 1e-3;
-  return z;
-}
 void shift(std::vector<double>& z, std::size_t from, std::size_t to, double by) {
   for (std::size_t i = from; i < std::min(to, z.size()); ++i) z[i] += by;
 }
@@ -161,21 +156,6 @@ TEST_CASE("unit: a sensor that stuck is taken out but for its first sample") {
     }
 }
 
-TEST_CASE("unit: the doubt about steps names the largest of them, whatever its sign") {
-  for (const double first : {-0.5, 0.5, -0.03, 0.03})
-    for (const double second : {-0.1, 0.1}) {
-      auto z = track();
-      for (std::size_t i = 0; i < z.size(); ++i)
-        z[i] += (i >= 8192 ? first : 0) + (i >= 20000 ? second : 0);
-      CAPTURE(first, second);
-      const auto s = screen(z);
-      REQUIRE(s.warnings.size() == 1);
-      CHECK(s.warnings[0].key == "steps");
-      const bool is_first = std::abs(first) > std::abs(second);
-      CHECK_THAT(s.warnings[0].text, Catch::Contains(is_first ? "m at 2048 m" : "m at 5000 m"));
-    }
-}
-
 TEST_CASE("unit: a step of the datum is found to the sample, and the record cut there") {
   for (const std::size_t at : {300U, 8192U, 20000U, 39700U})
     for (const double step : {0.03, -0.1, 0.5, 20.0}) {
@@ -221,99 +201,6 @@ TEST_CASE("unit: a sensor stuck from the beginning is reported and not taken out
   const Screened s = screen(z);
   CHECK(told(s));
   CHECK(s.out.front() == z.front());
-}
-
-TEST_CASE("unit: a record of fewer than fifty steps is not judged, one of more is") {
-  for (const std::size_t samples : {45U, 60U})
-    for (const std::size_t at : {0U, 20U}) {
-      std::vector<double> z(track().begin() + 100,
-                            track().begin() + 100 + static_cast<long>(samples));
-      z[at] = -9.999;
-      CAPTURE(samples, at);
-      CHECK(screen(z).faults.size() == (samples > 50 ? 1 : 0));
-    }
-}
-
-TEST_CASE("unit: a Screen hands on every sample once, whatever the pieces it is given") {
-  for (const std::size_t piece : {1UL, 777UL, 40000UL})
-    CHECK(Direct(track(), piece).out == track());
-  CHECK(Direct({}).out.empty());
-  CHECK_FALSE(Direct({}).screen.still());
-  CHECK(Direct({0.5}).out == std::vector{0.5});
-}
-
-TEST_CASE("unit: far off is twelve median steps, and three more for each sample missing") {
-  for (const std::size_t missing :
-       {1UL, 3UL, 7UL})  // odd: the samples beside them are of one height
-    for (const double sign : {1.0, -1.0}) {
-      auto z = saw(3000);
-      const std::size_t at = 1000;
-      const double limit = 1e-3 * (12 + 3 * static_cast<double>(missing));
-      std::fill_n(z.begin() + static_cast<std::ptrdiff_t>(at - missing), missing, lost);
-      auto near = z, far = z;
-      shift(near, at, z.size(), sign * (limit - 1e-5));
-      shift(far, at, z.size(), sign * (limit + 1e-5));
-      CAPTURE(missing, sign);
-      CHECK(Direct(near).screen.faults().empty());
-      const auto found = Direct(far).screen.faults();
-      REQUIRE(found.size() == 1);
-      CHECK(found[0].fault == Fault::outlier);  // the next one may be 3 mm farther, and is near
-      CHECK(found[0].first == at);
-      CHECK(found[0].count == 1);
-      CHECK(found[0].value == Approx(sign * (limit + 1e-5)));
-    }
-}
-
-TEST_CASE("unit: no farther than four times the largest of the three steps before is not far off") {
-  for (const std::size_t since : {0UL, 1UL, 2UL, 3UL})  // usual steps after one of 5 mm
-    for (const double jump : {19.9e-3, 20.1e-3}) {
-      auto z = saw(3000);
-      shift(z, 1001, z.size(), 4e-3);  // 5 mm up
-      shift(z, 1002 + since, z.size(), (1002 + since) % 2 == 0 ? jump + 1e-3 : jump - 1e-3);
-      CAPTURE(since, jump);
-      CHECK(Direct(z).screen.faults().empty() == (since < 3 && jump < 20e-3));
-    }
-}
-
-TEST_CASE("unit: what leaves at once and is back at once is outliers, however high or long") {
-  for (const double height : {0.05, 1.0, -2.0, 50.0})
-    for (const std::size_t length : {1UL, 2UL, 8UL, 100UL, 250UL}) {
-      if (std::abs(height) < 1 && length > 8) continue;  // 3 mm more may be off each sample on
-      auto z = saw(3000);
-      shift(z, 1000, 1000 + length, height);
-      CAPTURE(height, length);
-      const Direct d(z);
-      REQUIRE(d.screen.faults().size() == 1);
-      CHECK(d.screen.faults()[0].fault == Fault::outlier);
-      CHECK(d.screen.faults()[0].first == 1000);
-      CHECK(d.screen.faults()[0].count == length);
-      CHECK(d.screen.faults()[0].value == Approx(height));
-      CHECK(static_cast<std::size_t>(std::count_if(
-                d.out.begin(), d.out.end(), [](double v) { return std::isnan(v); })) == length);
-    }
-  // For longer it is another level, and back.
-  auto z = saw(3000);
-  shift(z, 1000, 1300, 2);
-  const auto found = Direct(z).screen.faults();
-  REQUIRE(found.size() == 2);
-  CHECK(found[0].fault == Fault::step);
-  CHECK(found[1].fault == Fault::step);
-  CHECK(found[1].first == 1300);
-}
-
-TEST_CASE("unit: the longest stuck stretch is reported with its place") {
-  std::vector<double> z = track();
-  for (double& value : z) value = 1e-4 * std::round(1e4 * value);
-  CHECK_FALSE(Direct(z).screen.still());
-  z.insert(z.begin(), 16000, z.front());
-  std::size_t equal = 16000;
-  while (z[equal] == z.front()) ++equal;
-  const auto still = Direct(z).screen.still();
-  REQUIRE(still);
-  CHECK(still->fault == Fault::stuck);
-  CHECK(still->first == 0);
-  CHECK(still->count == equal);
-  CHECK(still->value == z.front());
 }
 
 TEST_CASE("unit: a first sample is judged by most of the nine that follow it") {
@@ -387,4 +274,84 @@ TEST_CASE("unit: no uneven spacing is reported for an even record") {
     CHECK(u.spacing == 0);
     CHECK(u.overall == 0);
   }
+}
+
+namespace {
+
+constexpr double spacing = 0.25;
+
+std::vector<double> track(std::size_t n) {
+  std::vector<double> z(n);
+  spectra::SyntheticTrack input;
+  input.seed = 5, input.spacing = spacing, input.A = 5e-7, input.dip = 0;
+  spectra::TrackGenerator{input}.fill(z);
+  return z;
+}
+
+struct Heard {
+  std::vector<units::Warning> warnings;
+  double roughness = 0;
+  std::string of(const std::string& key) const {
+    for (const units::Warning& d : warnings)
+      if (d.key == key) return d.text;
+    return {};
+  }
+};
+Heard hear(const std::vector<double>& z, std::size_t bridge = 0) {
+  records::RecordStream stream{{.spacing = spacing, .bridge = bridge},
+                               [](std::span<const double>) {}};
+  stream.add(z);
+  stream.finish();
+  return {stream.warnings(), stream.roughness()};
+}
+
+}  // namespace
+
+TEST_CASE("unit: heights rougher than 1e-4 m or smoother than 1e-10 m are doubted for their unit") {
+  const auto z = track(3000);
+  const double own = hear(z).roughness;
+  for (const double limit : {1e-4, 1e-10})
+    for (const double share : {0.98, 1.02}) {
+      auto scaled = z;
+      for (double& v : scaled) v *= std::sqrt(share * limit / own);
+      const std::string text = hear(scaled).of("unit");
+      INFO(share << " of " << limit);
+      CHECK(text.empty() == (limit > 1e-5 ? share < 1 : share > 1));
+      const double rms = std::sqrt(units::pi * units::pi * 10 * share * limit) / units::millimetre;
+      char size[32];
+      std::snprintf(size, sizeof size, "%.3g", rms);
+      if (!text.empty()) CHECK_THAT(text, Contains("the chord of 20 m by " + std::string(size)));
+    }
+}
+
+TEST_CASE("unit: each kind of fault is reported once, with all its samples and its worst place") {
+  auto z = track(6000);
+  const auto put = [&](std::size_t from, std::size_t count, double value) {
+    std::fill_n(z.begin() + static_cast<std::ptrdiff_t>(from), count, value);
+  };
+  put(1000, 3, -9.999), put(3000, 7, -9.999), put(3400, 7, -9.999);  // of equal ones the first
+  z[2000] += 0.5, z[4000] -= 0.9, z[4400] += 0.7;
+  put(2500, 60, z[2500]), put(4500, 30, z[4500]);
+  const Heard all = hear(z);
+  CHECK(all.warnings.size() == 3);
+  CHECK_THAT(all.of("codes"),
+             Catch::StartsWith("17 samples far off with one value, such as -9.999 m at 750 m"));
+  CHECK_THAT(all.of("outliers"),
+             Catch::StartsWith("3 samples in 3 places far off, the largest by -0.89"));
+  CHECK_THAT(all.of("outliers"), Contains(" m at 1000 m: a defect, or"));
+  CHECK_THAT(
+      all.of("stuck"),
+      Catch::StartsWith("88 samples repeat the one before, 59 of them from 625.25 m to 639.75 m"));
+
+  auto one = track(6000);
+  one[2000] += 0.5;
+  CHECK_THAT(hear(one).of("outliers"), Catch::StartsWith("1 sample in 1 place far off"));
+  for (std::size_t i = 3000; i < 6000; ++i) one[i] += 0.3;
+  CHECK_THAT(hear(one).of("steps"),
+             Catch::StartsWith("the level steps at 1 place, the largest by 0."));
+  CHECK_THAT(hear(one).of("steps"), Contains(" m at 750 m: "));
+  for (std::size_t i = 5000; i < 6000; ++i) one[i] -= 0.6;
+  CHECK_THAT(hear(one).of("steps"),
+             Catch::StartsWith("the level steps at 2 places, the largest by -0."));
+  CHECK_THAT(hear(one).of("steps"), Contains(" m at 1250 m: "));
 }

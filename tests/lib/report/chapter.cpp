@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <railbook/report/values.hpp>
 
 #include "support/sample_chapter.hpp"
 
@@ -43,6 +44,19 @@ TEST_CASE("unit: a chapter checks printed rows and leaves a record") {
   CHECK(r["values"][0]["text"] == "39315 psi");
   std::ifstream csv{s.at.path / "results/00-sample/fig-1.csv"};
   CHECK(std::string{std::istreambuf_iterator<char>{csv}, {}} == "x_m,y\n1,\"a,b\"\n");
+}
+
+TEST_CASE("unit: each item has one caption in data/captions.csv, or its title in the code") {
+  const auto nothing = [](report::Item& item) { item.sketch(); };
+  const auto run_with = [&](const std::string& rows) {
+    const Sample s;
+    s.at.write("data/captions.csv", "item,caption\n" + rows);
+    const int status = s.reproduce({report::table("t", nothing), report::table("u", "U", nothing)});
+    return std::pair{status, status == 0 ? s.record()["items"][0]["title"].dump() : ""};
+  };
+  CHECK(run_with("t,\"What, and how\"\n") == std::pair{0, std::string{"\"What, and how\""}});
+  for (const char* bad : {"", "t,\n", "t,T\nt,T\n", "t,T\nu,U\n", "t,T\nv,V\n"})
+    CHECK(run_with(bad).first == 2);
 }
 
 TEST_CASE("unit: a check says what it is about and what came of it") {
@@ -246,65 +260,14 @@ TEST_CASE("unit: a display table writes its numbers as its headings say") {
   CHECK(s.record()["items"][0]["rows"].dump() == R"([["a","1.23","7"],["b","–","3.142"]])");
 }
 
-TEST_CASE("unit: a row of a display table has a cell for each column") {
-  CHECK(status([](report::Item& item) {
-          item.sketch();
-          item.columns({"what", "n"});
-          item.add_row(std::vector<std::string>{"a", "b"});
-        }) == 0);
-  CHECK(status([](report::Item& item) {
-          item.sketch();
-          item.columns({"what", "n"});
-          item.add_row(std::vector<std::string>{"a"});
-        }) == 1);
+TEST_CASE("unit: values of one unit and format in a call are those of one call each") {
   const Sample s;
-  CHECK(s.reproduce(one([](report::Item& item) {
-    item.columns({"what", "n"});
-    item.add_row(1, 2, 3);
-  })) == 1);
-  CHECK(s.record()["items"][0]["failure"] == "t: 3 cells for 2 columns");
-}
-
-TEST_CASE("unit: a value is shown to the same digits on both sides of zero") {
-  const Sample s;
-  const std::pair<const char*, double> printed[] = {{"5.5", 123.4567},
-                                                    {"-5.5", -123.4567},
-                                                    {"0", 0},
-                                                    {"0", 0.0041237},
-                                                    {"1e5", 123456.78},
-                                                    {"10.00", 0.0012},
-                                                    {"5.5", units::nan},
-                                                    {"1.0000000000000000", 1.0 / 3}};
-  s.reproduce(one([&](report::Item& i) {
-    i.expect_checks(static_cast<int>(std::size(printed)) + 4);
-    for (const auto& [text, computed] : printed) i.print(text, "a", "m", text, computed);
-    i.at_most("none", "a", "m", units::nan, 1e-9, "rounding");
-    i.at_most("below", "a", "m", -7.25, -5, "a limit");
-    i.at_most("border", "a", "m", 4e-7, 1e-6, "a limit");
-    i.at_least("least", "a", "m", 4.12349e-7, 1e-7, "a limit");
-  }));
-  const char* expected[] = {"123.457",  "-123.457", "0",     "0.00412",
-                            "1.23e+05", "0.0012",   "nan",   "0.333333333333333",
-                            "nan",      "-7.25",    "4e-07", "4.123e-07"};
-  const auto checks = s.record()["checks"];
-  REQUIRE(checks.size() == std::size(expected));
-  for (std::size_t k = 0; k < checks.size(); ++k) CHECK(checks[k]["computed_text"] == expected[k]);
-}
-
-TEST_CASE("unit: stability cases and times stand in the record, and without timings no time does") {
-  const report::Section paper = one([](report::Item& i) {
-    i.stability({.id = "s", .what = "w", .stress = "x", .expect = report::accurate, .allowed = 1},
-                [] {
-                  return report::Found{"found", 0.5};
-                });
-  });
-  for (const bool timed : {false, true}) {
-    const Sample s;
-    CHECK(s.reproduce(paper, timed ? Sample::Words{} : Sample::Words{"--no-timings"}) == 0);
-    const auto r = s.record();
-    REQUIRE(r["stability"].size() == 1);
-    CHECK(r["stability"][0]["error"] == 0.5);
-    for (const auto& timed_part : {r, r["items"][0], r["stability"][0]})
-      CHECK((timed_part["seconds"] > 0) == timed);
-  }
+  REQUIRE(s.reproduce(one([](report::Item& i) {
+    i.sketch();
+    report::values(i, "mm", "{:.1f}", "low", 1.04, "high", 2);
+  })) == 0);
+  const auto r = s.record();
+  CHECK(r["values"].size() == 2);
+  CHECK(r["values"][0]["text"] == "1.0 mm");
+  CHECK(r["values"][1]["text"] == "2.0 mm");
 }

@@ -53,6 +53,19 @@ TEST_CASE("unit: a claim holds where its numbers lie in their intervals") {
   CHECK(both(units::nan, 1, 4).status == 1);
 }
 
+TEST_CASE("unit: a claim can hold on a condition of the program") {
+  const auto judged = [](bool condition) {
+    return with_claims(header + "t/a,they rise,consistent,,to {:.0f},the profiles are ours\n",
+                       [=](report::Item& item) { item.claim_if("a", condition, {7}); });
+  };
+  const Run run = judged(true);
+  CHECK(run.status == 0);
+  CHECK(run.record["checks"][0]["outcome"] == "consistent");
+  CHECK(run.record["checks"][0]["computed"] == "to 7");
+  CHECK(run.record["checks"][0]["why"] == "the profiles are ours");
+  CHECK(judged(false).status == 1);
+}
+
 TEST_CASE("unit: a verified statement names its method") {
   const Run run = with_claims(header + "t/a,it adds,verified,1..,{:.0f},our own estimate\n",
                               [](report::Item& item) {

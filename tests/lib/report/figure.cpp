@@ -2,9 +2,7 @@
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <system_error>
 
 #include "support/sample_chapter.hpp"
@@ -101,92 +99,4 @@ TEST_CASE("unit: beside its picture a figure has the same as SVG where that is t
   CHECK(s.record()["items"][0]["png"].dump() == R"("")");
   CHECK(s.record()["items"][0]["script"] == "fig-1.gp");
   CHECK(s.at.read("results/00-sample/fig-1-more.csv") == "y\n2\n");
-}
-
-TEST_CASE("unit: a row of printed values says what it is about, with what its table says") {
-  const Sample s;
-  s.at.write("data/full.csv", "key,what,unit,printed,hertz\np0,peak,psi,39,40\nm,,kg,1,2\n");
-  s.at.write("data/bare.csv", "key,printed,other\nx,3,4\n");
-  REQUIRE(s.reproduce(one([](report::Item& item) {
-    item.expect_checks(5);
-    const auto full = item.printed("full.csv"), bare = item.printed("bare.csv");
-    item.row(full, "p0").print("printed", 39);
-    item.row(full, "p0").print("hertz", 40);
-    item.row(full, "m").print("hertz", 2);
-    item.row(bare, "x").print("printed", 3);
-    item.row(bare, "x").publication("other", 4.01, report::relative(0.01, "digits"), "B. 1970");
-    item.value("n", units::nan, "psi", "{:.0f}");
-    item.value("x", 2.0 / 3, "", "{:.3f}");
-    item.value("y", 2.0 / 3, "kg");
-    item.value("w", "word");
-  })) == 0);
-  const auto r = s.record();
-  const char* expected[][3] = {{"t/p0-printed", "peak", "psi"},
-                               {"t/p0-hertz", "peak, hertz", "psi"},
-                               {"t/m-hertz", "m, hertz", "kg"},
-                               {"t/x-printed", "x", ""},
-                               {"t/x-other", "x, other", ""}};
-  for (std::size_t k = 0; k < 5; ++k) {
-    CHECK(r["checks"][k]["id"] == expected[k][0]);
-    CHECK(r["checks"][k]["what"] == expected[k][1]);
-    CHECK(r["checks"][k]["unit"] == expected[k][2]);
-  }
-  CHECK(r["checks"][4]["by"] == "B. 1970");
-  const char* texts[] = {"NaN psi", "0.667", "0.666667 kg", "word"};
-  for (std::size_t k = 0; k < 4; ++k) CHECK(r["values"][k]["text"] == texts[k]);
-}
-
-TEST_CASE("unit: an item that fails says how many of what") {
-  const auto why = [](const report::ItemFunction& f) {
-    const Sample s;
-    CHECK(s.reproduce(one(f)) == 1);
-    return s.record()["items"][0]["failure"].get<std::string>();
-  };
-  CHECK(why([](auto& i) { i.expect_checks(3), i.claim("a", "a", true); }) ==
-        "1 checks made, 3 announced");
-  CHECK(why([](auto& i) { i.claim("a", "a", true), i.sketch(); }) == "1 checks made, 0 announced");
-  CHECK(why([](auto& i) {
-          i.expect_checks(2), i.claim("a", "a", true), i.claim("b", "b", false);
-        }) == "1 of 2 checks failed");
-  CHECK(why([](auto&) {}) == "no check, and not declared rebuilt, added, a sketch or lost");
-  CHECK(why([](auto& i) { i.lost(""); }) == "t: lost without a reason");
-  CHECK(why([](auto& i) {
-          i.stability({"s", "w", "x"}, [] { return report::Found{}; });
-        }) == "stability case s has no bound of its error");
-}
-
-TEST_CASE("unit: a stability case records its result, or the reason for none") {
-  report::Item item{"s", "table", "S", {}};
-  const auto found = [&](const std::function<report::Found()>& run) {
-    item.stability({.id = "s", .what = "w", .stress = "x", .allowed = 1}, run);
-  };
-  found([] { return report::Found{"a number", 0.5}; });
-  found([]() -> report::Found { throw InputError{"no width"}; });
-  found([]() -> report::Found { throw report::NoAnswer{"no end"}; });
-  found([]() -> report::Found { throw std::runtime_error{"no memory"}; });
-  report::ChapterRecord record;
-  item.finish(record);
-  const char* expected[] = {"holds: a number", "refused: no width", "refused: no end",
-                            "fails: no memory"};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const report::Stability& s = record.stability[k];
-    CHECK(s.found + ": " + s.result == expected[k]);
-    CHECK(std::isnan(s.error) == (k > 0));
-    CHECK(s.pass == (k == 0));
-  }
-}
-
-TEST_CASE("unit: the error of a text or of a claim is none or one") {
-  report::Item item{"t", "table", "T", {}};
-  item.print_text("a", "class", "5", "5");
-  item.print_text("b", "class", "5", "6");
-  item.claim("c", "it holds", true);
-  item.claim("d", "it holds", false);
-  report::ChapterRecord record;
-  item.finish(record);
-  for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(record.checks[k].error == static_cast<double>(k % 2));
-    CHECK(record.checks[k].pass == (k % 2 == 0));
-    CHECK(record.checks[k].kind == "exact");
-  }
 }

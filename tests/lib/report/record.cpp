@@ -2,11 +2,7 @@
 #include <railbook/report/record.hpp>
 
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
-#include <sstream>
-#include <thread>
 
 #include <railbook/report/detail/headline.hpp>
 #include <railbook/report/detail/inventory.hpp>
@@ -93,33 +89,6 @@ TEST_CASE("unit: a record holds all that was found, and what is no number as nul
 })json"));
 }
 
-TEST_CASE("unit: a record names the machine that it was made on") {
-  const TemporaryFolder at("machine");
-  write_record({}, at.path / "r.json");
-  const auto machine = nlohmann::json::parse(at.read("r.json"))["machine"];
-  std::ostringstream all;
-  all << std::ifstream{"/proc/cpuinfo"}.rdbuf();
-  const std::string text = all.str();
-  std::smatch model;
-  const bool known = std::regex_search(text, model, std::regex{"model name\\s*: (.*)\n"});
-  CHECK(machine["processor"] == (known ? model[1].str() : "unknown"));
-  CHECK(machine["cores"] == std::thread::hardware_concurrency());
-  CHECK(machine["load"] >= 0);
-}
-
-TEST_CASE("unit: the paper's text stands under printed, another's under reference") {
-  ChapterRecord r;
-  r.checks = {check("t/a", "print", "confirmed"), check("t/b", "route", "verified"),
-              check("t/c", "claim", "confirmed")};
-  r.checks[0].place = "p. 1, Table 2";
-  r.checks[2].computed = units::nan;
-  CHECK(checks_csv(r) ==
-        "id,place,source,outcome,what,unit,printed,reference,by,computed,error,allowed,kind\n"
-        "t/a,\"p. 1, Table 2\",print,confirmed,\"w, x\",m,\"1,5\",,B,1.25,0.25,0.5,relative\n"
-        "t/b,,route,verified,\"w, x\",m,,\"1,5\",B,1.25,0.25,0.5,relative\n"
-        "t/c,,claim,confirmed,\"w, x\",m,,\"1,5\",B,1.2,0.25,0.5,relative\n");
-}
-
 TEST_CASE("unit: a headline counts each outcome of the print, of claims, figures and routes") {
   ChapterRecord r;
   const auto add = [&](int n, const char* source, const char* outcome) {
@@ -163,23 +132,6 @@ TEST_CASE("unit: the inventory's row that is most closely about a check gives it
   CHECK(place({wild, {"p. 5", "number", "", "", {"t/*"}, "", "", ""}}, 0) == "p. 1");
 }
 
-TEST_CASE("unit: the first of equal rows of an inventory gives a check its place") {
-  ChapterRecord r;
-  for (const char* source : {"print", "claim", "route", "publication"})
-    r.checks.push_back(check(std::string("t/") + source, source, "confirmed"));
-  r.checks.push_back(check("t/pq", "print", "confirmed"));  // not of t/pr*
-  r.items.emplace_back().id = "fig-1";
-  const std::vector<InventoryRow> rows{{"p. 1", "", "(2)", "", {"t/pr*"}, "", "", ""},
-                                       {"p. 2", "", "", "", {"t/*"}, "", "", ""},
-                                       {"p. 3", "", "", "", {"t/pr*", "fig-*"}, "", "", ""}};
-  CHECK(audit(rows, r).empty());
-  CHECK(r.checks[0].place == "p. 1, (2)");
-  CHECK(r.checks[1].place == "p. 2");
-  CHECK(r.checks[2].place.empty());
-  CHECK(r.checks[3].place.empty());
-  CHECK(r.checks[4].place == "p. 2");
-}
-
 TEST_CASE("input: an inventory says which row is of no kind") {
   const TemporaryFolder at("kind");
   const auto file = at.write("i.csv",
@@ -197,4 +149,17 @@ TEST_CASE("input: an inventory says which row is of no kind") {
   CHECK(row.treated == std::vector<std::string>{"a", "b"});
   CHECK(row.place + row.kind + row.number + row.what + row.symbol + row.test + row.reason ==
         "p. 1claim(2)wstr");
+}
+
+TEST_CASE("unit: the paper's text stands under printed, another's under reference") {
+  ChapterRecord r;
+  r.checks = {check("t/a", "print", "confirmed"), check("t/b", "route", "verified"),
+              check("t/c", "claim", "confirmed")};
+  r.checks[0].place = "p. 1, Table 2";
+  r.checks[2].computed = units::nan;
+  CHECK(checks_csv(r) ==
+        "id,place,source,outcome,what,unit,printed,reference,by,computed,error,allowed,kind\n"
+        "t/a,\"p. 1, Table 2\",print,confirmed,\"w, x\",m,\"1,5\",,B,1.25,0.25,0.5,relative\n"
+        "t/b,,route,verified,\"w, x\",m,,\"1,5\",B,1.25,0.25,0.5,relative\n"
+        "t/c,,claim,confirmed,\"w, x\",m,,\"1,5\",B,1.2,0.25,0.5,relative\n");
 }

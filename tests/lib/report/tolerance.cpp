@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <stdexcept>
 
 using namespace railbook::report;
 

@@ -1,29 +1,20 @@
-#include <railbook/rolling/creep_laws.hpp>
-
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
 
-#include <railbook/num/quadrature.hpp>
+#include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/fastsim.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
 #include <railbook/rolling/strip_theory.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 #include "support/rig_case.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
-
-namespace {
-
-constexpr const RollingCase& rig = rig_case;
-const double bound = rig.friction * rig.load;
-
-RollingCase at(double x, double y = 0, double spin = 0) {
-  return with_reduced_creepage(rig, {x, y, spin});
-}
-
-}  // namespace
 
 TEST_CASE("unit: Kalker's table gives the printed digits at its rows") {
   const auto round = kalker_table(1, 0.25);
@@ -47,76 +38,6 @@ TEST_CASE("unit: Kalker's table between its rows, against the half-space program
   CHECK(steel.c33 == Approx(0.904).epsilon(0.02));
 }
 
-TEST_CASE("unit: Vermeulen and Johnson's slopes, a circle in closed form") {
-  for (const double nu : {0.0, 0.25, 0.5}) {
-    const Slopes circle = vermeulen_johnson_slopes(1, nu);
-    CHECK(circle.longitudinal == Approx(16 / (4 - 3 * nu)).epsilon(1e-12));
-    CHECK(circle.lateral == Approx(16 / (4 - nu)).epsilon(1e-12));
-    for (const double near : {1 - 1e-3, 1 - 1e-5, 1 + 1e-5, 1 + 1e-3}) {
-      const Slopes s = vermeulen_johnson_slopes(near, nu);
-      CHECK(s.longitudinal == Approx(circle.longitudinal).epsilon(2e-3));
-      CHECK(s.lateral == Approx(circle.lateral).epsilon(2e-3));
-    }
-  }
-}
-
-TEST_CASE("unit: Polach without spin is FASTSIM with an elliptic bound") {
-  const auto k = kalker_table(rig.a / rig.b, rig.poisson);
-  for (const double x : {1e-9, 0.01, 0.2, 1.0, 30.0}) {
-    CHECK(polach(at(x), k).fx ==
-          Approx(fastsim_without_spin(at(x), k, Bound::elliptic).fx).epsilon(1e-13));
-    CHECK(polach(at(0, x), k).fy ==
-          Approx(fastsim_without_spin(at(0, x), k, Bound::elliptic).fy).epsilon(1e-13));
-  }
-}
-
-TEST_CASE("unit: FASTSIM's closed form against the integral over its strips") {
-  const auto k = kalker_table(rig.a / rig.b, rig.poisson);
-  for (const double x : {1e-6, 0.05, 0.2, 0.5, 0.65}) {
-    const double w = 3 * units::pi / 16 * k.c11 * x;
-    const auto strip = [w](double eta) {
-      const double l = std::sqrt(1 - eta * eta), s = std::max(0.0, 2 * l - w);
-      return w * s * s / 2 + 4 * l * l * l / 3 - l * s * s + s * s * s / 3;
-    };
-    const double kink = w < 2 ? std::sqrt(1 - w * w / 4) : 0.0;
-    const double sum = num::integrate(strip, 0, kink, 1e-12, 1e-18).value +
-                       num::integrate(strip, kink, 1, 1e-12, 1e-18).value;
-    CHECK(fastsim(at(x), k).fx / bound == Approx(4 / units::pi * sum).epsilon(1e-9));
-  }
-}
-
-TEST_CASE("unit: closed forms against their own cells") {
-  const auto k = kalker_table(rig.a / rig.b, rig.poisson);
-  const RollingCase c = at(0.13, 0.09);
-  for (const Bound kind : {Bound::parabolic, Bound::elliptic}) {
-    const auto exact = fastsim_without_spin(c, k, kind);
-    const auto grid = fastsim_grid(c, k, {.bound = kind, .along = 200, .strips = 200});
-    CHECK(grid.fx == Approx(exact.fx).epsilon(2e-4));
-    CHECK(grid.fy == Approx(exact.fy).epsilon(2e-4));
-    CHECK(grid.mz == Approx(exact.mz).epsilon(1e-3));
-    CHECK(grid.stick_share == Approx(exact.stick_share).margin(0.01));
-  }
-  const auto strip = strip_theory(c, k, {.along = 200, .strips = 200, .keep_tractions = true});
-  const auto& t = strip.tractions;
-  const Eigen::ArrayXd area = t.dx.array() * t.dy.array();
-  CHECK((area * t.px.array()).sum() == Approx(strip.fx).epsilon(1e-3));
-  CHECK((area * t.py.array()).sum() == Approx(strip.fy).epsilon(1e-3));
-  CHECK((area * t.x.array() * t.py.array()).sum() == Approx(strip.mz).epsilon(2e-3));
-  CHECK((area * t.stick.array()).sum() / (units::pi * c.a * c.b) ==
-        Approx(strip.stick_share).margin(0.01));
-}
-
-TEST_CASE("unit: FASTSIM with spin converges with the square of the cell") {
-  const auto k = kalker_table(rig.a / rig.b, rig.poisson);
-  for (const RollingCase& c : {at(0, 0, 1), at(0.1, 0.1, 0.5), at(0, 0.1, -0.3)}) {
-    const auto run = [&](int n) { return fastsim_grid(c, k, {.along = n, .strips = n}); };
-    const auto coarse = run(40), fine = run(320);
-    CHECK(std::hypot(coarse.fx - fine.fx, coarse.fy - fine.fy) < 1e-3 * bound);
-    const auto middle = run(160);
-    CHECK(std::hypot(middle.fx - fine.fx, middle.fy - fine.fy) < 1e-4 * bound);
-  }
-}
-
 TEST_CASE("unit: Kalker's table against the coefficients computed, also where it is misprinted") {
   for (const double ratio : {0.8, 1.25, 3.3}) {
     const auto table = kalker_table(ratio, 0.25);
@@ -125,4 +46,115 @@ TEST_CASE("unit: Kalker's table against the coefficients computed, also where it
     CHECK(table.c22 == Approx(computed.c22).epsilon(5e-3));
     CHECK(table.c23 == Approx(computed.c23).epsilon(1e-2));  // 1.15 at 0.8 would be 8 % off
   }
+}
+
+namespace {
+
+const std::vector<Theory> theories = {Theory::vermeulen_johnson, Theory::shen_hedrick_elkins,
+                                      Theory::fastsim, Theory::fastrip, Theory::polach};
+
+RollingCase elliptic_case(double a, double b) {
+  return {.a = a,
+          .b = b,
+          .load = 80e3,
+          .shear_modulus = 80e9,
+          .poisson = 0.28,
+          .friction = 0.35,
+          .creepage = {}};
+}
+
+// Every theory, several ellipses, reduced creepages of all signs over eight decades.
+void everywhere(const std::function<void(Theory, const RollingCase&)>& visit) {
+  for (const double ratio : {0.12, 0.7, 1.0, 1.568, 9.0})
+    for (const double size : {1e-6, 0.03, 0.2, 0.9, 40.0})
+      for (const Creepage& way : {Creepage{1, 0, 0}, Creepage{-0.6, 0.8, 0}, Creepage{0, -1, 0},
+                                  Creepage{0, 0, 1}, Creepage{0.5, -0.3, -0.7}})
+        for (const Theory theory : theories) {
+          if (theory == Theory::fastrip && way.spin != 0) continue;
+          visit(theory, with_reduced_creepage(
+                            elliptic_case(5e-3 * std::sqrt(ratio), 5e-3 / std::sqrt(ratio)),
+                            {size * way.longitudinal, size * way.lateral, size * way.spin}));
+        }
+}
+
+}  // namespace
+
+TEST_CASE("property: forces turn with the creepages") {
+  everywhere([](Theory theory, const RollingCase& c) {
+    const auto f = creep_forces(theory, c);
+    RollingCase braked = c, mirrored = c;
+    braked.creepage.longitudinal *= -1;
+    mirrored.creepage.lateral *= -1, mirrored.creepage.spin *= -1;
+    const auto g = creep_forces(theory, braked), h = creep_forces(theory, mirrored);
+    const double tiny = 1e-12 * c.friction * c.load;
+    INFO(name(theory));
+    CHECK(std::abs(g.fx + f.fx) <= tiny);
+    CHECK(std::abs(g.fy - f.fy) <= tiny);
+    CHECK(std::abs(g.mz - f.mz) <= tiny * c.a);
+    CHECK(std::abs(h.fx - f.fx) <= tiny);
+    CHECK(std::abs(h.fy + f.fy) <= tiny);
+    CHECK(std::abs(h.mz + f.mz) <= tiny * c.a);
+  });
+}
+
+TEST_CASE("property: without spin the force rises with the creepage") {
+  for (const Theory theory : theories) {
+    double last = 0;
+    for (double x = 1e-3; x < 3; x *= 1.05) {
+      const auto c = with_reduced_creepage(elliptic_case(6e-3, 4e-3), {0.6 * x, 0.8 * x, 0});
+      const auto f = creep_forces(theory, c);
+      const double size = std::hypot(f.fx, f.fy);
+      INFO(name(theory) << " at X = " << x);
+      CHECK(size >= last * (1 - 1e-14));
+      last = size;
+    }
+    CHECK(last == Approx(0.35 * 80e3).epsilon(0.01));
+  }
+}
+
+namespace {
+
+constexpr RollingCase rig = [] {
+  RollingCase c = rig_case;
+  c.creepage.longitudinal = 1e-3;
+  return c;
+}();
+
+}  // namespace
+
+TEST_CASE("input: the fast theories refuse arguments out of range") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Theory theory : {Theory::linear, Theory::vermeulen_johnson, Theory::fastsim,
+                              Theory::shen_hedrick_elkins, Theory::fastrip, Theory::polach}) {
+    auto c = rig;
+    c.a = 0;
+    CHECK_THROWS_AS(creep_forces(theory, c), InputError);
+    c = rig, c.load = -1;
+    CHECK_THROWS_AS(creep_forces(theory, c), InputError);
+    c = rig, c.friction = nan;
+    CHECK_THROWS_AS(creep_forces(theory, c), InputError);
+    c = rig, c.poisson = 0.6;
+    CHECK_THROWS_AS(creep_forces(theory, c), InputError);
+    c = rig, c.creepage.longitudinal = nan;
+    CHECK_THROWS_AS(creep_forces(theory, c), InputError);
+  }
+}
+
+TEST_CASE("input: Kalker's table ends at axis ratios of 0.1 and 10") {
+  CHECK_NOTHROW(kalker_table(0.1, 0));
+  CHECK_NOTHROW(kalker_table(10, 0.5));
+  CHECK_THROWS_AS(kalker_table(0.0999, 0.3), InputError);
+  CHECK_THROWS_AS(kalker_table(10.01, 0.3), InputError);
+  CHECK_THROWS_AS(kalker_table(1, -0.01), InputError);
+  CHECK_THROWS_AS(kalker_table(1, 0.51), InputError);
+}
+
+TEST_CASE("input: spin where a theory has none, and grids without cells") {
+  auto c = rig;
+  c.creepage.spin = 0.1;
+  const auto k = kalker_table(rig.a / rig.b, rig.poisson);
+  CHECK_THROWS_AS(creep_forces(Theory::fastrip, c), InputError);
+  CHECK_THROWS_AS(fastsim_without_spin(c, k), InputError);
+  CHECK_THROWS_AS(fastsim_grid(c, k, {.along = 0}), InputError);
+  CHECK_THROWS_AS(fastsim_grid(c, k, {.strips = 5000}), InputError);
 }

@@ -85,3 +85,29 @@ TEST_CASE("property: the interpolation error is a distance, whichever side the t
     CHECK(e.rms_moment == Approx(0.2).epsilon(1e-14));
   }
 }
+
+TEST_CASE("property: the bound of a force table holds where its error is measured") {
+  for (const Theory which :
+       {Theory::polach, Theory::shen_hedrick_elkins, Theory::vermeulen_johnson, Theory::linear}) {
+    const ForceTable table({.ratios = 3}, theory(which));
+    CHECK(table.error(theory(which), 2000).within_bound == 2000);
+  }
+  // A parabola along one axis is off its chords by half of what is stated.
+  const ShareTheory parabola = [](double) {
+    return [](const Creepage& c) {
+      const double u = std::asinh(c.longitudinal / 0.5);
+      return ForceShares{u * u, 0, 0};
+    };
+  };
+  const ForceTable table({.ratio_from = 1, .ratio_to = 1, .ratios = 1}, parabola);
+  const InterpolationError error = table.error(parabola, 1000);
+  const InterpolationBound stated = table.bound(1, {1, 0, 0});
+  CHECK(stated.force == Approx(2 * error.largest_force).epsilon(0.01));
+  CHECK(stated.moment == 0);
+  CHECK(table.node_bound(0, 3, 2, 1).force == Approx(stated.force));
+  CHECK(std::isinf(table.bound(1, {5.1, 0, 0}).force));
+  CHECK(std::isinf(table.bound(1.1, {1, 0, 0}).force));
+  const ForceTable coarse({.ratio_from = 1, .ratio_to = 1, .ratios = 1, .lateral = 2}, parabola);
+  CHECK(std::isinf(coarse.bound(1, {1, 0, 0}).moment));
+  CHECK(coarse.error(parabola, 100).within_bound == 0);  // an infinite bound says nothing
+}

@@ -30,15 +30,6 @@ const SmoothForce& table() {
 
 }  // namespace
 
-TEST_CASE("Smooth force: the linear forces at small creepage", "[smooth_force]") {
-  for (const double t : {1e-4, 1e-3}) {
-    const auto f = table().at(0.3 * t, -0.5 * t, 0.2 * t);
-    CHECK(f[0] == Approx(0.3 * t).epsilon(t));
-    CHECK(f[1] == Approx(-0.3 * t).epsilon(t));
-  }
-  CHECK(table().at(0, 0, 0) == std::array{0.0, 0.0});
-}
-
 TEST_CASE("Smooth force: within friction, with the symmetries, near the theory", "[smooth_force]") {
   // Each of the three up to `reach`: largest and rms distance from the theory.
   const auto off_theory = [](double reach) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <railbook/contact/material.hpp>
-#include <railbook/num/quadrature.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/detail/cell_displacements.hpp>
 #include <railbook/rolling/fastsim.hpp>

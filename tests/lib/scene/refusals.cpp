@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
 #include <railbook/scene/colour_map.hpp>
 #include <railbook/scene/shapes.hpp>

@@ -1,6 +1,5 @@
 #include <array>
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include <railbook/scene/detail/raster.hpp>
 #include <railbook/scene/shapes.hpp>
@@ -158,21 +157,4 @@ TEST_CASE("unit: drawing leaves no mark of its arithmetic") {
   const NoFpFault no_fault;
   const Scene scene = one(box({0, 0, 0}, {1, 1, 1}));
   CHECK(render(scene, looking_at(scene, {1, -1, 1}, size), size).rgb.size() == 60000);
-}
-
-TEST_CASE("unit: a pixel is the mean of its samples, rounded to the nearest level") {
-  using Eigen::Vector3f, Eigen::Vector4f;
-  const Vector3f white(1, 1, 1);
-  const Corners part{
-      {Vector4f(-1, -1, 0, 1), Vector4f(1, -0.9F, 0, 1), Vector4f(-0.8F, 0.7F, 0, 1)},
-      {white, white, white}};
-  std::array<bool, 256> level{};
-  for (int covered = 0; covered <= 16; ++covered)
-    level[static_cast<std::size_t>(std::lround(255 * covered / 16.0))] = true;
-  int between = 0;
-  for (const std::uint8_t value : rasterise({part}, Vector3f::Zero(), {40, 30}).rgb) {
-    CHECK(level[value]);
-    between += value != 0 && value != 255;
-  }
-  CHECK(between > 100);
 }

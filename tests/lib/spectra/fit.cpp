@@ -34,10 +34,6 @@ spectra::Spectrum perfect(const spectra::TrackParameters& track, double averages
   return s;
 }
 
-spectra::FitOptions on_bin(const spectra::Spectrum& s, Eigen::Index bin) {
-  return {.rail_length = 1 / s.frequency(bin)};
-}
-
 }  // namespace
 
 TEST_CASE("unit: a perfect spectrum gives back its parameters") {
@@ -69,23 +65,6 @@ TEST_CASE("unit: without a rail no line is looked for, and none hides a bin") {
   const auto stray = spectra::stray_line(lined, none, seen);
   REQUIRE(stray.has_value());
   CHECK(stray->phi == Approx(lined.frequency(300)));
-}
-
-TEST_CASE("unit: the line's power, peak and width are those put on the bins") {
-  auto s = perfect({.A = 2e-7, .phi_c = 0.13}, 1e10);
-  const double Q = 3e-6;
-  const Eigen::Index bin = 105;
-  s.density[bin] += Q / s.df * 2 / 3;
-  s.density[bin - 1] += Q / s.df / 6;
-  s.density[bin + 1] += Q / s.df / 6;
-  const auto fit = spectra::fit_track_spectrum(s, on_bin(s, bin));
-  CHECK(fit.Q_1.value == Approx(Q).epsilon(1e-6));
-  CHECK(fit.C_1 == Approx(Q / (1.5 * s.df)).epsilon(1e-6));
-  CHECK(fit.beta == Approx(1.5 * s.df).epsilon(1e-6));
-  CHECK(fit.half_width == Approx(4.0 / 3.0 * s.df).epsilon(1e-5));  // straight lines 1 -> 1/4
-  CHECK(fit.B_printed.value == Approx(3 * units::pi * std::sqrt(Q / 2)).epsilon(1e-6));
-  CHECK(fit.B_exact.value == Approx(0.5 * fit.B_printed.value));
-  CHECK(fit.line_significant);
 }
 
 TEST_CASE("unit: a white floor is fitted when asked for, or when the data ask for it") {
@@ -130,25 +109,6 @@ TEST_CASE("unit: the exact two-slope minimum is below every point of a fine grid
   }
 }
 
-TEST_CASE("unit: gradients of the regression model agree with differences") {
-  spectra::LogFit fit;
-  fit.log_A = std::log(5e-7);
-  fit.log_corner = std::log(0.13);
-  fit.noise = 1e-7;
-  fit.corner = CornerState::fitted;
-  for (const double phi : {0.03, 0.2, 0.9}) {
-    const double l = std::log(phi), h = 1e-6;
-    auto a = fit, c = fit, n = fit;
-    a.log_A += h;
-    c.log_corner += h;
-    n.noise *= std::exp(h);
-    const auto g = fit.gradient(l);
-    CHECK(g[0] == Approx((a.log_density(l) - fit.log_density(l)) / h).margin(1e-5));
-    CHECK(g[1] == Approx((c.log_density(l) - fit.log_density(l)) / h).margin(1e-5));
-    CHECK(g[2] == Approx((n.log_density(l) - fit.log_density(l)) / h).margin(1e-5));
-  }
-}
-
 TEST_CASE("unit: scattered dips raise A by nearly the stated amount") {
   spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
   double A[2];
@@ -162,28 +122,6 @@ TEST_CASE("unit: scattered dips raise A by nearly the stated amount") {
   }
   CHECK(said > 0.03);
   CHECK(A[1] / A[0] - 1 == Approx(said).margin(0.012));  // two standard errors
-}
-
-TEST_CASE(
-    "unit: a rougher track takes from the line: their errors are correlated, and not beyond one") {
-  const spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
-  const auto fit =
-      spectra::fit_track_spectrum(spectra::welch(spectra::synthesize(track, 60000), track.spacing));
-  CHECK(fit.A_Q_covariance < 0);
-  CHECK(std::abs(fit.A_Q_covariance) < fit.A.error * fit.Q_1.error);
-}
-
-TEST_CASE("unit: what scattered dips add is counted over the band of the fit") {
-  const double spacing = 0.6, nyquist = 0.5 / spacing;
-  const auto spectrum =
-      spectra::welch(spectra::synthesize({.spacing = spacing, .dip = 0.011}, 60000), spacing);
-  const auto fit = spectra::fit_track_spectrum(spectrum);
-  const auto bias = [&](double high) {
-    return spectra::scatter_bias(spectrum, {.high = high}, fit, 0.2);
-  };
-  CHECK(bias(10) == bias(0.95 * nyquist));
-  CHECK(bias(10) != bias(0.94 * nyquist));
-  CHECK(bias(0.2) != bias(0.94 * nyquist));
 }
 
 TEST_CASE("unit: a fit that is asked for nothing looks for 39 ft from 0.01 to 1.2 cycles a metre") {
@@ -264,17 +202,6 @@ TEST_CASE("property: without joints the line is found significant in 5 % of reco
   CHECK(found < 26);
 }
 
-TEST_CASE("property: a profile scaled by c has A scaled by c^2, B by c, and the same corner") {
-  auto record = spectra::synthesize(zone(2e-7, 0.13, 8e-3, 4), 60000);
-  const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
-  for (double& z : record) z *= -3;
-  const auto scaled = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
-  CHECK(scaled.A.value == Approx(9 * fit.A.value));
-  CHECK(scaled.phi_c.value == Approx(fit.phi_c.value));
-  CHECK(scaled.B_printed.value == Approx(3 * fit.B_printed.value));
-  CHECK(scaled.B_threshold == Approx(3 * fit.B_threshold));
-}
-
 TEST_CASE("property: a line nobody named is found where it is, and none where there is none") {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -303,17 +230,6 @@ TEST_CASE("property: joints of random depth are not taken for a foreign line") {
     if (spectra::stray_line(spectrum, {}, spectra::fit_track_spectrum(spectrum))) ++found;
   }
   CHECK(found <= 2);
-}
-
-TEST_CASE("property: many records give the same digits on any number of threads") {
-  const auto read = [](std::size_t i) {
-    const auto record = spectra::synthesize(zone(5e-7, 0.13, 11e-3, 1 + i), 16384);
-    const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
-    return std::vector{fit.A.value, fit.A.error, fit.phi_c.value, fit.Q_1.value, fit.Q_1.error};
-  };
-  const auto alone = num::map_in_parallel(12, read, 1);
-  CHECK(alone.front() != alone.back());
-  for (const int threads : {2, 3}) CHECK(num::map_in_parallel(12, read, threads) == alone);
 }
 
 namespace {
@@ -365,17 +281,6 @@ TEST_CASE("extreme: corners out of the band leave the slope that can be seen") {
   CHECK(fit(track, {.slopes = spectra::Slopes::one}).A.value == Approx(5e-7).epsilon(0.01));
 }
 
-TEST_CASE("extreme: grades and long waves under the record do not reach A") {
-  const auto plain = fit(base());
-  auto track = base();
-  track.grade = 0.01;
-  CHECK(fit(track).A.value == Approx(plain.A.value).epsilon(1e-3));
-  track.grade = 0;
-  track.wave_amplitude = 50;
-  CHECK(fit(track).A.value == Approx(plain.A.value).epsilon(1e-3));
-  CHECK(fit(track, {}, {.window = spectra::Window::boxcar}).A.value != Approx(5e-7).epsilon(0.2));
-}
-
 TEST_CASE("extreme: sensor noise is distinguished from the track at any level") {
   auto track = base();
   for (const double sigma : {1e-5, 1e-4, 3e-4, 3e-3}) {
@@ -414,14 +319,6 @@ TEST_CASE("extreme: the memory of old rails is kept out of the dip when it is na
   CHECK(std::abs(fit(track, named).B_exact.value - 5.5e-3) < 4 * fit(track, named).B_exact.error);
 }
 
-TEST_CASE("extreme: gaps cost averages, not accuracy") {
-  auto track = base();
-  track.gap_share = 0.002;
-  const auto f = fit(track);
-  CHECK(std::abs(f.A.value / 5e-7 - 1) < 4 * f.A.error / 5e-7);
-  CHECK(f.A.error > fit(base()).A.error);
-}
-
 TEST_CASE("input: a fit refuses what cannot be fitted and says why") {
   spectra::SyntheticTrack track;
   track.A = 2e-7;
@@ -448,4 +345,13 @@ TEST_CASE("input: a fit refuses what cannot be fitted and says why") {
   const auto coarse =
       spectra::welch(spectra::synthesize(track, 20000), units::foot, {.segment = 16});
   CHECK_THROWS_AS(spectra::fit_track_spectrum(coarse), InputError);
+}
+
+TEST_CASE(
+    "unit: a rougher track takes from the line: their errors are correlated, and not beyond one") {
+  const spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
+  const auto fit =
+      spectra::fit_track_spectrum(spectra::welch(spectra::synthesize(track, 60000), track.spacing));
+  CHECK(fit.A_Q_covariance < 0);
+  CHECK(std::abs(fit.A_Q_covariance) < fit.A.error * fit.Q_1.error);
 }

@@ -25,37 +25,6 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("unit: the normal quantile inverts the normal distribution") {
-  CHECK_THAT(num::normal_quantile(0.975), WithinRel(1.959963984540054, 1e-15));
-  for (double x = -8.0; x <= 8.0; x += 0.0625) {
-    const double below = 0.5 * std::erfc(-x / std::sqrt(2.0));
-    if (below < 0.9)
-      CHECK_THAT(num::normal_quantile(below), WithinAbs(x, 4e-15 * (1 + std::abs(x))));
-  }
-  CHECK(num::normal_quantile(0.5) == 0.0);
-}
-
-TEST_CASE("unit: the normal numbers have the moments of the normal distribution") {
-  const num::RandomSource source{20, 3};
-  constexpr int n = 400000;
-  double m1 = 0, m2 = 0, m3 = 0, m4 = 0, lag = 0, before = 0;
-  for (int i = 0; i < n; ++i) {
-    const double g = source.normal(static_cast<std::uint64_t>(i));
-    m1 += g / n;
-    m2 += g * g / n;
-    m3 += g * g * g / n;
-    m4 += g * g * g * g / n;
-    lag += g * before / n;
-    before = g;
-  }
-  const double s = 5 / std::sqrt(n);  // five standard errors of a unit-variance mean
-  CHECK_THAT(m1, WithinAbs(0, s));
-  CHECK_THAT(m2, WithinAbs(1, s * std::sqrt(2.0)));
-  CHECK_THAT(m3, WithinAbs(0, s * std::sqrt(15.0)));
-  CHECK_THAT(m4, WithinAbs(3, s * std::sqrt(96.0)));
-  CHECK_THAT(lag, WithinAbs(0, s));
-}
-
 TEST_CASE("unit: with no randomness asked for the record is the rectified sine, crests at zero") {
   SyntheticTrack track;
   track.dip = 0.011;
@@ -101,49 +70,6 @@ TEST_CASE("unit: a seed gives the same record with every compiler and library") 
   CHECK_THAT(z[1], WithinRel(0.1361593185060048, 1e-11));
   CHECK_THAT(z[1000], WithinRel(0.018710839608864556, 1e-10));
   CHECK_THAT(z[100000], WithinRel(0.037074517514556753, 1e-10));
-}
-
-TEST_CASE(
-    "unit: what joints remember shapes their scatter's density as the sum over their "
-    "correlations") {
-  for (const double rho : {-0.9, -0.3, 0.0, 0.6, 0.95}) {
-    const JointDips joints{11.9, 0.01, 0.4, rho};
-    for (const double phi : {0.013, 0.04, 1 / 11.9, 0.11, 0.4}) {
-      const double nu = phi * joints.rail_length;
-      double sum = 1;
-      for (int k = 1; k < 1000; ++k) sum += 2 * std::pow(rho, k) * std::cos(2 * units::pi * k * nu);
-      const double alone = 2 * joints.rail_length * std::pow(0.4 * 0.01 * dip_transform(nu), 2);
-      CHECK_THAT(joint_scatter_psd(joints, phi), WithinRel(alone * sum, 1e-10));
-    }
-  }
-}
-
-TEST_CASE("unit: shaped noise has 70 samples to either side for each sample of its sharpest bend") {
-  // A power of two between 512 and 65536; its design asks for the density at four times as many
-  // places, and at zero.
-  for (const auto& [per_detail, half] : {std::pair{512 / 70.0, 512},
-                                         {513.5 / 70, 1024},
-                                         {1020 / 70.0, 1024},
-                                         {1024 / 70.0, 1024},
-                                         {1025 / 70.0, 2048},
-                                         {65000 / 70.0, 65536},
-                                         {65537 / 70.0, 65536},
-                                         {1e5, 65536},
-                                         {1.0, 512}})
-    for (const double spacing : {0.25, 3.0}) {
-      int asked = 0;
-      ShapedNoise({.density =
-                       [&](double) {
-                         ++asked;
-                         return 1e-6;
-                       },
-                   .spacing = spacing,
-                   .low_cut = 0.01 / spacing,
-                   .detail = 1 / (spacing * per_detail)},
-                  num::RandomSource{1, 1});
-      INFO(per_detail << " samples");
-      CHECK(asked == 4 * half + 1);
-    }
 }
 
 namespace {
@@ -231,25 +157,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("property: the variance of the record is the area under its density") {
-  SyntheticTrack track;
-  track.A = 2e-7;
-  track.phi_c = 0.15;
-  track.low_cut = 0.01;  // short memory, so that a short record is enough
-  TrackGenerator generator{track};
-  double area = 0.0;
-  const double nyquist = 0.5 / track.spacing;
-  for (int k = 0; k < 4000; ++k) area += generator.random_density((k + 0.5) / 4000 * nyquist);
-  area *= nyquist / 4000;
-  const std::size_t n = 400000;
-  const auto z = synthesize(track, n);
-  double variance = 0.0;
-  for (double height : z) variance += height * height / static_cast<double>(n);
-  // An exponential memory of 1/(2 pi cut) makes n spacing pi cut independent squares.
-  const double error = std::sqrt(2 / (static_cast<double>(n) * track.spacing * units::pi * 0.01));
-  CHECK_THAT(variance / area, WithinAbs(1.0, 4 * error));
-}
-
 TEST_CASE("property: the record does not depend on how it is cut into blocks") {
   const SyntheticTrack track = everything();
   const std::size_t n = 100000;
@@ -263,29 +170,6 @@ TEST_CASE("property: the record does not depend on how it is cut into blocks") {
     at += count;
   }
   CHECK(same_bits(whole, pieces));
-}
-
-TEST_CASE("property: a seed is a record; another seed is another record") {
-  SyntheticTrack track = everything();
-  track.gap_share = 0.0;
-  const auto one = synthesize(track, 5000);
-  CHECK(same_bits(one, synthesize(track, 5000)));
-  track.seed = 2;
-  const auto two = synthesize(track, 5000);
-  int equal = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) equal += one[i] == two[i];
-  CHECK(equal == 0);
-}
-
-TEST_CASE("property: roughness scales the random part as its square root") {
-  SyntheticTrack track;
-  track.A = 1e-7;
-  track.phi_c = 0.13;
-  const auto one = synthesize(track, 2000);
-  track.A = 4e-7;
-  const auto four = synthesize(track, 2000);
-  for (std::size_t i = 0; i < one.size(); i += 100)
-    CHECK_THAT(four[i], WithinRel(2 * one[i], 1e-12));
 }
 
 TEST_CASE("property: scattered joints have the closed-form continuum beside their lines") {
@@ -315,29 +199,6 @@ TEST_CASE("property: scattered joints have the closed-form continuum beside thei
       CHECK_THAT(ratio, WithinAbs(1.0, 4 * std::sqrt(2.0 / (20 * segments))));
     }
   }
-}
-
-TEST_CASE("property: chord offsets of the record have the closed-form sigma and a normal spread") {
-  SyntheticTrack track;
-  track.A = 5e-7;
-  track.phi_c = 0.13;
-  track.low_cut = 1e-3;
-  const double chord = 62 * units::foot;
-  const std::size_t n = 1000000;
-  const auto mco = mid_chord_offsets(synthesize(track, n), track.spacing, chord).offset;
-  const double sigma = chord_sigma({.A = track.A, .phi_c = track.phi_c}, chord);
-  double square = 0.0;
-  double beyond[3] = {0, 0, 0};
-  for (double m : mco) {
-    square += m * m / static_cast<double>(mco.size());
-    for (int k = 0; k < 3; ++k) beyond[k] += std::abs(m) > (k + 1) * sigma;
-  }
-  // About one independent offset in half a chord: 33000 of them.
-  CHECK_THAT(std::sqrt(square) / sigma, WithinAbs(1.0, 4 / std::sqrt(2 * 33000.0)));
-  const double normal[3] = {0.3173, 0.0455, 0.0027};
-  for (int k = 0; k < 3; ++k)
-    CHECK_THAT(beyond[k] / static_cast<double>(mco.size()),
-               WithinAbs(normal[k], 5 * std::sqrt(normal[k] / 33000)));
 }
 
 TEST_CASE("property: ballast memory in the record has the lines of its formula") {
@@ -373,37 +234,6 @@ TEST_CASE("property: a chord drops what it reaches of a gap and nothing else") {
   }
 }
 
-TEST_CASE("extreme: the kinked chord formula at both ends of the corner") {
-  const double chord = 19.0;
-  const double a = units::pi * chord;
-  CHECK_THAT(chord_sigma({.A = 1.0, .phi_c = 1e6}, chord),
-             WithinRel(chord_sigma(1.0, chord), 1e-6));
-  // A corner far below every chord: only the -4 slope is left, sigma^2 = A phi_c^2 a^3 pi/6.
-  const double phi_c = 1e-7;
-  CHECK_THAT(chord_sigma({.A = 1.0, .phi_c = phi_c}, chord),
-             WithinRel(phi_c * std::sqrt(a * a * a * units::pi / 6), 1e-4));
-  CHECK(chord_sigma({.A = 0.0, .phi_c = 0.1}, chord) == 0.0);
-}
-
-TEST_CASE("extreme: corners and spacings at the ends keep the density positive and finite") {
-  const NoFpFault no_fault;
-  for (double phi_c : {0.002, 0.01, 1.5, 100.0})
-    for (double spacing : {0.05, 1.0}) {
-      SyntheticTrack track;
-      track.spacing = spacing;
-      track.A = 1e-6;
-      track.phi_c = phi_c;
-      TrackGenerator generator{track};
-      for (double phi = 1e-5; phi < 0.5 / spacing; phi *= 2) {
-        CHECK(generator.random_density(phi) > 0);
-        CHECK(std::isfinite(generator.random_density(phi)));
-      }
-      std::vector<double> z(1000);
-      generator.fill(z);
-      for (double height : z) REQUIRE(std::isfinite(height));
-    }
-}
-
 TEST_CASE("extreme: equal old and new rails modulate at wavenumber zero") {
   const NoFpFault no_fault;
   SyntheticTrack track;
@@ -411,31 +241,6 @@ TEST_CASE("extreme: equal old and new rails modulate at wavenumber zero") {
   track.memory_length = track.rail_length;
   track.memory_modulation = 0.5;
   CHECK_THAT(synthesize(track, 40)[39], WithinRel(-0.015, 1e-12));
-}
-
-TEST_CASE("extreme: a line number of a million still has its strength") {
-  CHECK_THAT(line_strength(1000000, 1.0, LineConvention::exact_one_sided),
-             WithinRel(1e-12 / units::pi, 1e-11));
-}
-
-TEST_CASE("extreme: the normal quantile out to the last random number there is") {
-  // The smallest uniform number is 2^-53; Phi(-8.2095...) = 2^-53.
-  const double x = num::normal_quantile(0x1p-53);
-  CHECK_THAT(0.5 * std::erfc(-x / std::sqrt(2.0)), WithinRel(0x1p-53, 1e-12));
-  CHECK(num::normal_quantile(1 - 0x1p-53) == -x);
-}
-
-TEST_CASE("extreme: a million rails from the start the joints are still where they belong") {
-  JointSequence joints{{.rail_length = 11.8872, .dip = 1.0}, 5.9436, num::RandomSource{1, 1}};
-  std::vector<double> z(100001);
-  for (int block = 0; block < 20; ++block) {
-    std::fill(z.begin(), z.end() - 1, 0.0);
-    joints.add(std::span{z}.first(100000));
-  }
-  for (std::size_t i = 0; i < 100000; i += 2) {
-    REQUIRE(std::abs(z[i] + 1.0) < 1e-8);
-    REQUIRE(std::abs(z[i + 1]) < 1e-8);
-  }
 }
 
 namespace {

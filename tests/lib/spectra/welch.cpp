@@ -67,23 +67,6 @@ TEST_CASE("unit: streamed Welch equals its definition for every window, detrend 
       }
 }
 
-TEST_CASE("unit: density integrates to the mean square, and a line to half its amplitude squared") {
-  const auto x = white_noise(256, 3);
-  double mean_square = 0;
-  for (const double value : x) mean_square += value * value / 256;
-  const auto flat = spectra::welch(
-      x, 0.25, {.segment = 256, .parts = 1, .window = Window::boxcar, .detrend = Detrend::none});
-  CHECK(flat.density.sum() * flat.df == Approx(mean_square));
-
-  std::vector<double> line(20000);
-  const double phi = 20.0 / (512 * 0.3);
-  for (std::size_t i = 0; i < line.size(); ++i)
-    line[i] = 0.02 * std::sin(2 * units::pi * phi * 0.3 * static_cast<double>(i) + 0.7);
-  const auto peak = spectra::welch(line, 0.3, {.segment = 512, .detrend = Detrend::none});
-  CHECK(peak.density.sum() * peak.df == Approx(0.5 * 0.02 * 0.02).epsilon(1e-9));
-  CHECK(peak.density[20] == Approx(0.5 * 0.02 * 0.02 / peak.noise_bandwidth).epsilon(1e-9));
-}
-
 TEST_CASE("unit: windows have their known noise bandwidths, and the Slepian one is concentrated") {
   const auto bandwidth = [](Window window) {
     const Eigen::VectorXd w = spectra::window_weights(window, 4096);
@@ -131,28 +114,6 @@ TEST_CASE("unit: logarithmic bands average the bins they hold") {
   CHECK(bands.frequency[0] < 0.2);
 }
 
-TEST_CASE("unit: a run of whole segments before a gap leaves no sample unused") {
-  for (const std::size_t parts : {1U, 2U, 4U}) {
-    auto x = white_noise(96, 7);
-    x.push_back(units::nan);
-    for (const double more : white_noise(101, 8)) x.push_back(more);
-    for (const double last : {units::nan, 1.0, 2.0, 3.0}) x.push_back(last);
-    const auto got = spectra::welch(x, 0.3, {.segment = 48, .parts = parts});
-    CHECK(got.unused == 3);  // the run of 101 ends with a segment of its own
-  }
-}
-
-namespace {
-
-// Over all bins but the first, which detrending empties down to rounding.
-double largest_relative_difference(const spectra::Spectrum& a, const spectra::Spectrum& b,
-                                   double factor) {
-  const Eigen::Index n = a.density.size() - 1;
-  return (factor * a.density.tail(n).array() / b.density.tail(n).array() - 1).abs().maxCoeff();
-}
-
-}  // namespace
-
 TEST_CASE("property: the pieces a record is pushed in do not change a bit of the spectrum") {
   const auto x = white_noise(5000, 11);
   const auto whole = spectra::welch(x, 0.3, {.segment = 256});
@@ -162,66 +123,6 @@ TEST_CASE("property: the pieces a record is pushed in do not change a bit of the
       stream.push(std::span{x}.subspan(i, std::min(piece, x.size() - i)));
     CHECK(stream.samples() == x.size());
     CHECK((stream.spectrum().density.array() == whole.density.array()).all());
-  }
-}
-
-TEST_CASE("property: a spectrum scales with the square of the signal and with the spacing") {
-  const auto x = white_noise(3000, 5);
-  auto scaled = x;
-  for (double& value : scaled) value *= -3;
-  const auto base = spectra::welch(x, 0.3, {.segment = 128});
-  CHECK(largest_relative_difference(base, spectra::welch(scaled, 0.3, {.segment = 128}), 9) <
-        1e-12);
-  CHECK(largest_relative_difference(base, spectra::welch(x, 0.6, {.segment = 128}), 2) < 1e-12);
-  const auto moved = spectra::respaced(spectra::welch(x, 1, {.segment = 128}), 0.3);
-  CHECK(largest_relative_difference(base, moved, 1) < 1e-12);
-  CHECK(moved.df == Approx(base.df));
-  CHECK(moved.noise_bandwidth == Approx(base.noise_bandwidth));
-}
-
-TEST_CASE("property: a straight line added to the record leaves the linearly detrended spectrum") {
-  const auto x = white_noise(3000, 5);
-  auto inclined = x;
-  for (std::size_t i = 0; i < x.size(); ++i) inclined[i] += 1000.0 - 0.5 * static_cast<double>(i);
-  for (const Window window : {Window::boxcar, Window::hann, Window::dpss}) {
-    const spectra::WelchOptions options{.segment = 256, .parts = 4, .window = window};
-    CHECK(largest_relative_difference(spectra::welch(x, 0.3, options),
-                                      spectra::welch(inclined, 0.3, options), 1) < 1e-6);
-  }
-}
-
-// The number of averages and the band variance decide every standard error downstream, so both are
-// held against the scatter of 1500 independent records of white noise.
-TEST_CASE("property: scatter of bins and of bands is what the effective averages say") {
-  struct Case {
-    Window window;
-    std::size_t parts;
-    std::vector<std::size_t> lost = {};
-  };
-  for (const auto& [window, parts, lost] :
-       {Case{Window::hann, 2}, Case{Window::hann, 4}, Case{Window::boxcar, 2},
-        Case{Window::blackman_harris, 2}, Case{Window::dpss, 4}, Case{Window::hann, 2, {150, 430}},
-        Case{Window::hann, 4, {135, 300, 462}}, Case{Window::boxcar, 2, {245, 500}},
-        Case{Window::boxcar, 1, {200}}}) {
-    const spectra::WelchOptions options{.segment = 128, .parts = parts, .window = window};
-    const int records = 1500;
-    const Eigen::Index low = 10;
-    const double bands = 40;
-    double bin_squares = 0, band_squares = 0, mean = 0;
-    spectra::Spectrum last;
-    for (int r = 0; r < records; ++r) {
-      auto x = white_noise(640, 100 + static_cast<std::uint64_t>(r));
-      for (const std::size_t at : lost) x[at] = std::numeric_limits<double>::quiet_NaN();
-      last = spectra::welch(x, 0.5, options);
-      const Eigen::ArrayXd excess = last.density.segment(low, 40).array() - 1.0;  // 2 sigma^2 d = 1
-      bin_squares += excess.square().mean() / records;
-      band_squares += excess.mean() * excess.mean() / records;
-      mean += excess.mean() / records;
-    }
-    INFO("window " << static_cast<int>(window) << ", parts " << parts << ", gaps " << lost.size());
-    CHECK(std::abs(mean) < 4 * std::sqrt(last.band_variance / bands / records));
-    CHECK(bin_squares * last.averages == Approx(1).epsilon(0.04));
-    CHECK(band_squares * bands / last.band_variance == Approx(1).epsilon(0.15));
   }
 }
 
@@ -299,17 +200,6 @@ TEST_CASE(
   stream.push(std::vector<double>(1000, std::nan("")));
   CHECK_THROWS_AS(stream.spectrum(), InputError);
   CHECK_THROWS_WITH(stream.spectrum(), Catch::Contains("1000 of them missing"));
-}
-
-TEST_CASE("extreme: a large offset and a steep line cost no more than their rounding") {
-  const auto x = noise(4096 * 4);
-  auto high = x;
-  for (std::size_t i = 0; i < x.size(); ++i) high[i] += 1e7 + 3.0 * static_cast<double>(i);
-  const auto a = spectra::welch(x, 0.3), b = spectra::welch(high, 0.3);
-  CHECK(((a.density - b.density).array() / a.density.array()).abs().segment(2, 2000).maxCoeff() <
-        1e-5);
-  const auto flat = spectra::welch(std::vector<double>(10000, 1e3), 0.3);
-  CHECK(flat.density.maxCoeff() < 1e-20);
 }
 
 TEST_CASE("extreme: ten million samples stream through a fixed small memory") {

@@ -179,21 +179,26 @@ TEST_CASE("property: a row read at once is the row read cell by cell, its refusa
       std::string told;
       try {
         table::CsvReader reader{file.path};
-        const std::array<std::size_t, 2> columns{0, 2};
-        std::vector<double> v(2 * std::max<std::size_t>(at_once, 1));
+        std::vector<std::size_t> columns{0, 2};
+        if (round % 2 == 0) columns.insert(columns.begin() + 1, 1);
+        const std::size_t room = std::max<std::size_t>(at_once, 1);
+        std::vector<double> v(columns.size() * room);
         while (true) {
           std::size_t rows = at_once > 0 ? reader.numbers(columns, v) : 0;
           at_once_read += static_cast<int>(rows);
           if (rows == 0) {
             if (!reader.next()) break;
-            for (std::size_t i = 0; i < 2; ++i) v[i * v.size() / 2] = reader.number(columns[i]);
+            for (std::size_t i = 0; i < columns.size(); ++i)
+              v[i * room] = reader.number(columns[i]);
             rows = 1;
           }
           for (std::size_t r = 0; r < rows; ++r) {
             std::array<char, 80> line{};
-            std::snprintf(line.data(), line.size(), "%zu %a %a\n", reader.line() + 1 + r - rows,
-                          v[r], v[v.size() / 2 + r]);
-            told += line.data();
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+              std::snprintf(line.data(), line.size(), "%zu %a\n", reader.line() + 1 + r - rows,
+                            v[i * room + r]);
+              told += line.data();
+            }
           }
         }
       } catch (const InputError& error) {
@@ -218,6 +223,20 @@ TEST_CASE("input: a row with one empty cell too many is refused, at once as cell
       CHECK(reader.numbers(columns, values) == 0);
       CHECK_THROWS_AS(reader.next(), InputError);
     }
+  }
+}
+
+TEST_CASE("input: a number with a zero byte behind it is refused, at once as cell by cell") {
+  using std::string_literals::operator""s;
+  for (const char decimal : {'.', ','}) {
+    const File file{"a,b\n1,2\n3,4\n5,6\n7,8\n9\0,10\n"s};
+    table::CsvReader reader{file.path, {.decimal = decimal}};
+    const std::array<std::size_t, 2> columns{0, 1};
+    std::array<double, 32> values{};
+    const auto read = [&] {
+      while (reader.next()) reader.numbers(columns, values);
+    };
+    CHECK_THROWS_WITH(read(), Contains("line 6: holds a zero byte"));
   }
 }
 

@@ -1,11 +1,17 @@
-// Symmetry, reciprocity, scaling and order of convergence of the static track models.
+// The static models of the track: values by routes apart from this library, and what is refused.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include <railbook/num/gsl.hpp>
+#include <railbook/num/quadrature.hpp>
 #include <railbook/track/beam_elements.hpp>
+#include <railbook/track/beam_on_foundation.hpp>
+#include <railbook/track/effective_mass.hpp>
+#include <railbook/track/track_geometry.hpp>
 #include <railbook/track/typical_track.hpp>
 #include <railbook/track/wheel_on_track.hpp>
+#include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
 #include "support/no_fp_fault.hpp"
@@ -15,99 +21,164 @@ using namespace railbook;
 using namespace railbook::track;
 using Catch::Matchers::Contains;
 
-TEST_CASE("property: superposition and mirror symmetry of wheels") {
-  const auto beam = typical_beam();
-  const WheelLoad wheels[] = {{-1.0, 8e4}, {0.7, 1.2e5}}, mirrored[] = {{1.0, 8e4}, {-0.7, 1.2e5}};
-  for (double x : {-2.0, 0.1, 1.4}) {
-    const auto a = beam_state(beam, wheels, x), b = beam_state(beam, mirrored, -x);
-    CHECK(a.deflection == Approx(b.deflection).epsilon(1e-13));
-    CHECK(a.moment == Approx(b.moment).epsilon(1e-13));
-    CHECK(a.slope == Approx(-b.slope).epsilon(1e-13));
-    CHECK(a.shear == Approx(-b.shear).epsilon(1e-13));
+namespace {
+constexpr double lb_per_in = units::lbf / units::inch;
+WinklerBeam beam_132(double modulus_psi) {
+  return {rail_section("132RE").bending_stiffness(), modulus_psi * units::psi};
+}
+bool near(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::abs(b);
+}
+}  // namespace
+
+TEST_CASE("unit: beta, K_r and the zero of 132RE") {
+  struct Row {
+    double modulus, beta, stiffness, zero_ft;
+  };
+  for (const auto& [modulus, beta, stiffness, zero] :
+       {Row{1500, 0.019419, 154487, 10.111}, Row{2000, 0.020867, 191688, 9.409},
+        Row{3000, 0.023093, 259815, 8.502}}) {
+    const auto beam = beam_132(modulus);
+    CHECK(near(beam.beta() * units::inch, beta, 3e-5));
+    CHECK(near(beam.point_stiffness() / lb_per_in, stiffness, 1e-5));
+    CHECK(near(beam.zero_distance() / units::foot, zero, 1e-4));
   }
 }
 
-TEST_CASE("property: K_r goes with K^(3/4) and EI^(1/4)") {
-  const WinklerBeam beam{4e6, 1e7}, stiffer{4e6, 16e7}, thicker{64e6, 1e7};
-  CHECK(stiffer.point_stiffness() == Approx(8 * beam.point_stiffness()).epsilon(1e-14));
-  CHECK(thicker.point_stiffness() == Approx(2 * beam.point_stiffness()).epsilon(1e-14));
+TEST_CASE("unit: the stiffness chain of the typical track") {
+  const auto chain = stiffness_chain(typical_support());
+  CHECK(chain.ballast / lb_per_in == Approx(1084735.8).epsilon(1e-7));
+  CHECK(chain.subgrade / lb_per_in == Approx(68698.1).epsilon(1e-6));
+  CHECK(chain.bed / lb_per_in == Approx(64606.5).epsilon(1e-6));
+  CHECK(chain.seat / lb_per_in == Approx(30342.9).epsilon(2e-6));
+  CHECK(chain.foundation_modulus / units::psi == Approx(1556.046).epsilon(1e-6));
 }
 
-TEST_CASE("property: the ballast pyramid is symmetric in length and width and scales") {
-  for (double l : {0.1, 0.5, 2.0})
-    for (double w : {0.1, 0.3}) {
-      const double c = ballast_compliance(l, w, 0.4, 2e8, 0.35);
-      CHECK(c == ballast_compliance(w, l, 0.4, 2e8, 0.35));
-      CHECK(c == Approx(3 * ballast_compliance(3 * l, 3 * w, 1.2, 2e8, 0.35)).epsilon(1e-13));
+TEST_CASE("unit: variations of the typical track") {
+  const auto modulus = [](auto change) {
+    auto support = typical_support();
+    change(support);
+    return stiffness_chain(support).foundation_modulus / units::psi;
+  };
+  CHECK(modulus([](auto& s) { s.soil_modulus *= 2; }) == Approx(2787.0).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.soil_modulus *= 3; }) == Approx(3785.2).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.ballast_depth *= 0.5; }) == Approx(1098.9).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.ballast_depth *= 2; }) == Approx(2487.0).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.tie_spacing = 24 * units::inch; }) == Approx(1264.3).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.pad_stiffness = 1e6 * lb_per_in; }) ==
+        Approx(1510.2).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.ballast_modulus = 20000 * units::psi; }) ==
+        Approx(1513.7).epsilon(1e-4));
+  CHECK(modulus([](auto& s) { s.loaded_length = 36 * units::inch; }) ==
+        Approx(1782.3).epsilon(1e-4));
+}
+
+TEST_CASE("unit: masses of the typical track, eqs (15)-(19)") {
+  const auto support = typical_support();
+  const double beta_o = rail_beta(typical_rail().bending_stiffness(), support);
+  CHECK(beta_o * units::inch == Approx(0.03948583).epsilon(1e-6));
+  CHECK(effective_mass(typical_rail().mass_per_length, beta_o) / units::inch_system_mass ==
+        Approx(0.3599534).epsilon(1e-5));
+  const double rho_b = ballast_mass_per_length(typical_ballast, support);
+  CHECK(rho_b / (units::inch_system_mass / units::inch) == Approx(0.00855748).epsilon(1e-4));
+  const double bed_mass =
+      tie_and_ballast_mass(typical_tie_mass, support.tie_spacing, rho_b, typical_beam().beta());
+  CHECK(bed_mass / units::inch_system_mass == Approx(1.671590).epsilon(1e-4));
+  auto wedge = typical_ballast;
+  wedge.divisor = 4;
+  CHECK(ballast_mass_per_length(wedge, support) == Approx(1.5 * rho_b).epsilon(1e-14));
+}
+
+TEST_CASE("unit: stiffness ratios at a joint, values") {
+  CHECK(joint_stiffness_ratio(0, 1, 1) == Approx(0.25).epsilon(1e-15));
+  CHECK(joint_stiffness_ratio(0, 1, 0) == Approx(0.5).epsilon(1e-15));
+  const double xi[] = {0.25, 0.5, 1.0, 2.0};
+  const double free_end[] = {0.40741, 0.61540, 0.91635, 0.96291};
+  const double pinned[] = {0.76003, 0.94489, 0.98787, 0.96883};
+  for (int i = 0; i < 4; ++i) {
+    CHECK(joint_stiffness_ratio(xi[i], 1, 1) == Approx(free_end[i]).margin(6e-6));
+    CHECK(joint_stiffness_ratio(xi[i], 1, 0) == Approx(pinned[i]).margin(6e-6));
+  }
+}
+
+TEST_CASE("unit: the paper's eq. (8) fits the free joint, not the hinge") {
+  const auto free_fit = paper_joint_error(0.25, 1, 1);
+  CHECK(free_fit.error == Approx(0.0664).margin(1e-4));
+  CHECK(free_fit.xi == Approx(0.282).margin(2e-3));
+  const auto hinge_fit = paper_joint_error(0.5, 1, 0);
+  CHECK(hinge_fit.error == Approx(-0.177).margin(1e-3));
+  CHECK(hinge_fit.xi == Approx(0.522).margin(2e-3));
+  CHECK(best_joint_factor(0.25, 1, 1) == Approx(0.61).margin(0.01));
+  CHECK(std::abs(paper_joint_error(0.25, 1, 1, best_joint_factor(0.25, 1, 1)).error) ==
+        Approx(0.0539).margin(1e-4));
+  CHECK(best_joint_factor(0.5, 1, 0) == Approx(1.20).margin(0.02));
+}
+
+TEST_CASE("unit: elements on ties agree with the Bloch solution to 1e-10") {
+  const double ei = 5e6, k = 5e6;
+  for (double spacing : {0.3, 0.5, 1.0, 2.0})
+    for (auto place : {LoadPlace::over_tie, LoadPlace::midspan}) {
+      const WinklerBeam smeared{ei, k / spacing};
+      const double b = smeared.beta() * spacing;
+      const int bays = int(16.0 / b) + 12;
+      const auto model = support::rail_on_ties(ei, k, spacing, bays, place);
+      const auto solution = solve_beam(model, {{bays, 1.0}});
+      const double ratio = 1.0 / (solution.deflection(bays) * smeared.point_stiffness());
+      CHECK(ratio == Approx(discrete_tie_ratio(b, place)).epsilon(1e-10));
     }
 }
 
-TEST_CASE("property: two layers of ballast in series are one") {
-  const double c = 2 * std::tan(0.35), l = 0.75, w = 0.23;
-  const double top = ballast_compliance(l, w, 0.1, 2e8, 0.35);
-  const double below = ballast_compliance(l + 0.1 * c, w + 0.1 * c, 0.25, 2e8, 0.35);
-  CHECK(top + below == Approx(ballast_compliance(l, w, 0.35, 2e8, 0.35)).epsilon(1e-13));
+TEST_CASE("unit: a public finite-element code's benchmark on 100 ties is right but for the ties") {
+  // PlatypusBytes/ROSE, benchmark set 1, test_infinite_euler_beam_without_damping: ties 1 m apart
+  // of 275 kN/m, EI of 441 kN m^2, 18 kN over a tie; a run of its December 2025 revision (5099
+  // steps in time) settles to 20.53682 mm.
+  const double ei = 4.41e5, tie = 2.75e5, spacing = 1.0, force = 18e3, theirs = 20.53682e-3;
+  const double exact =
+      solve_beam(support::rail_on_ties(ei, tie, spacing, 50, LoadPlace::over_tie), {{50, force}})
+          .deflection(50);
+  CHECK(exact == Approx(theirs).epsilon(2e-5));
+  // Its distance to Winkler's bed is the ties'.
+  CHECK(1 - theirs * WinklerBeam{ei, tie / spacing}.point_stiffness() / force ==
+        Approx(0.00135).epsilon(0.02));
 }
 
-TEST_CASE("property: reciprocity across any joint") {
-  const auto beam = typical_beam();
-  for (const Joint& joint : {free_joint, hinge, sprung_joint(2e6), Joint{3e7, 1e6}})
-    for (double x : {-1.5, -0.2, 0.6})
-      for (double z : {-0.9, 0.3, 2.0})
-        CHECK(jointed_deflection(beam, joint, 1e5, x, z) ==
-              Approx(jointed_deflection(beam, joint, 1e5, z, x)).epsilon(1e-12).margin(1e-15));
+TEST_CASE("unit: the typical track in two layers keeps its static stiffness") {
+  const ImpactModel m = typical_impact();
+  CHECK(m.track.rail_mass == Approx(63.0375).epsilon(2e-6));
+  CHECK(m.track.rail_stiffness == Approx(227.4452e6).epsilon(1e-6));
+  CHECK(m.track.bed_mass == Approx(292.7402).epsilon(2e-5));
+  CHECK(m.track.bed_stiffness == Approx(31.68331e6).epsilon(1e-6));
+  CHECK(m.track.rail_damping == Approx(11973.96).epsilon(1e-5));
+  CHECK(m.track.bed_damping == Approx(38522.67).epsilon(2e-5));
+  CHECK(1 / (1 / m.track.rail_stiffness + 1 / m.track.bed_stiffness) ==
+        Approx(typical_beam().point_stiffness()).epsilon(1e-13));
 }
 
-TEST_CASE("property: a free joint passes nothing on") {
-  const auto beam = typical_beam();
-  for (double x : {0.1, 0.8, 2.5})
-    CHECK(std::abs(jointed_deflection(beam, free_joint, 1e5, x, -0.6)) <
-          1e-14 * 1e5 / beam.point_stiffness());
+TEST_CASE("input: impossible wheels and rigid seats are refused") {
+  CHECK_THROWS_AS(hertz_constant({0, 1, 1, 0.3}), InputError);
+  CHECK_THROWS_AS(hertz_constant({1, 1, 1, 0.6}), InputError);
+  TieSupport support = typical_support();
+  support.tie_stiffness = rigid;
+  CHECK_THROWS_AS(rail_on_bed(typical_rail(), support, typical_ballast, typical_tie_mass),
+                  InputError);
 }
 
-TEST_CASE("property: a chain of exact elements does not depend on how it is cut") {
-  const auto beam = typical_beam();
-  const double end = 12 / beam.beta();
-  const auto at_load = [&](int elements) {
-    BeamModel m{.bending_stiffness = beam.bending_stiffness,
-                .foundation_modulus = beam.foundation_modulus,
-                .x = Eigen::VectorXd::LinSpaced(2 * elements + 1, -end, end)};
-    return solve_beam(m, {{elements, 1.0}}).deflection(elements);
-  };
-  const double one = at_load(1);
-  for (int elements : {2, 7, 40}) CHECK(at_load(elements) == Approx(one).epsilon(1e-12));
-  // Rounding grows with 1 / (beta h)^4, the condition of any beam stiffness matrix.
-  CHECK(at_load(300) == Approx(one).epsilon(1e-8));
+TEST_CASE("unit: joints and polygons have cusps, splines have none") {
+  const std::vector<double> x{0, 1, 2, 3}, z{0, 1, 0, -1};
+  CHECK(has_cusps(RectifiedSine{0.0127, 11.9}));
+  CHECK(has_cusps(SampledProfile{x, z, Between::lines}));
+  CHECK_FALSE(has_cusps(SampledProfile{x, z, Between::spline}));
 }
 
-TEST_CASE("property: cubic elements on a foundation converge with the fourth power") {
-  const auto beam = typical_beam();
-  const double end = 16 / beam.beta();
-  const auto error = [&](int elements) {
-    BeamModel m{.bending_stiffness = beam.bending_stiffness,
-                .foundation_modulus = beam.foundation_modulus,
-                .x = Eigen::VectorXd::LinSpaced(2 * elements + 1, -end, end),
-                .element = Element::cubic};
-    return std::abs(solve_beam(m, {{elements, 1.0}}).deflection(elements) * beam.point_stiffness() -
-                    1.0);
-  };
-  const double order = std::log2(error(40) / error(80));
-  CHECK(order > 3.8);
-  CHECK(order < 4.3);
-}
-
-TEST_CASE("property: cutting the rail at beta L costs e^(-2 beta L)") {
-  const auto beam = typical_beam();
-  for (double reach : {4.0, 6.0, 8.0, 10.0}) {
-    const double end = reach / beam.beta();
-    BeamModel m{.bending_stiffness = beam.bending_stiffness,
-                .foundation_modulus = beam.foundation_modulus,
-                .x = Eigen::VectorXd{{-end, 0, end}}};
-    const double error =
-        std::abs(solve_beam(m, {{1, 1.0}}).deflection(1) * beam.point_stiffness() - 1.0);
-    CHECK(error < 8 * std::exp(-2 * reach));
-    CHECK(error > 0.1 * std::exp(-2 * reach));
-  }
+TEST_CASE("unit: idealized cross-level spectrum, class 6, and its variance") {
+  const CrossLevelSpectrum s;
+  const double unit = units::inch * units::inch * units::foot;
+  CHECK(s.density(0.01 / units::foot) / unit == Approx(0.0289602).epsilon(2e-6));
+  CHECK(s.density(0.0256 / units::foot) / unit == Approx(0.00464888).epsilon(2e-6));
+  CHECK(s.density(0.1 / units::foot) / unit == Approx(6.33456e-5).epsilon(2e-6));
+  CHECK(std::sqrt(s.variance(0.01, 0.5)) == Approx(0.62473e-3).epsilon(1e-5));
+  CHECK(num::integrate([&](double f) { return s.density(f); }, 0.01, 0.5).value ==
+        Approx(s.variance(0.01, 0.5)).epsilon(1e-10));
 }
 
 TEST_CASE("property: springs carry the whole load, across joints too") {
@@ -116,36 +187,6 @@ TEST_CASE("property: springs carry the whole load, across joints too") {
   const auto s = solve_beam(model, {{30, 1e5}, {34, 5e4}});
   const double reaction = model.spring.dot(0.5 * (s.deflection + s.deflection_left));
   CHECK(reaction == Approx(1.5e5).epsilon(1e-10));
-}
-
-// The static track models at and beyond the ends of their range, with floating-point traps on.
-
-namespace {
-constexpr double lb_per_in = units::lbf / units::inch;
-}
-
-TEST_CASE("extreme: ballast at l = w, alpha = 0, h = 0, with traps on") {
-  const NoFpFault no_fault;
-  const double in = units::inch, e = 30000 * units::psi, angle = 20 * units::degree;
-  CHECK(1 / ballast_compliance(9 * in, 9 * in, 12 * in, e, angle) / lb_per_in ==
-        Approx(399043.93).epsilon(1e-8));
-  CHECK(1 / ballast_compliance(30 * in, 9 * in, 12 * in, e, 0) / lb_per_in ==
-        Approx(675000).epsilon(1e-12));
-  CHECK(ballast_compliance(30 * in, 9 * in, 0, e, angle) == 0.0);
-  CHECK(ballast_compliance(30 * in, 9 * in, 12 * in, rigid, angle) == 0.0);
-  CHECK(ballast_compliance(9 * in, 30 * in, 12 * in, e, angle) ==
-        ballast_compliance(30 * in, 9 * in, 12 * in, e, angle));
-}
-
-TEST_CASE("extreme: the ballast limits are reached without a bump") {
-  const NoFpFault no_fault;
-  const double at = ballast_compliance(0.3, 0.3, 0.3, 2e8, 0.35);
-  const double flat = ballast_compliance(0.7, 0.3, 0.3, 2e8, 0.0);
-  for (double e = 1e-3; e > 1e-17; e *= 0.1) {
-    CHECK(std::abs(ballast_compliance(0.3 * (1 + e), 0.3, 0.3, 2e8, 0.35) / at - 1) <
-          2 * e + 1e-15);
-    CHECK(std::abs(ballast_compliance(0.7, 0.3, 0.3, 2e8, e) / flat - 1) < 5 * e + 1e-15);
-  }
 }
 
 TEST_CASE("extreme: rigid parts drop out of the chain, with traps on") {
@@ -166,58 +207,6 @@ TEST_CASE("extreme: rigid parts drop out of the chain, with traps on") {
   CHECK_THROWS_AS(rail_beta(5e6, support), InputError);
 }
 
-TEST_CASE("extreme: K towards zero and far up, with traps on") {
-  const NoFpFault no_fault;
-  const double ei = typical_rail().bending_stiffness();
-  for (double k = 1e-200; k < 1e200; k *= 1e10) {
-    const WinklerBeam beam{ei, k};
-    CHECK(beam.point_stiffness() > 0);
-    CHECK(std::isfinite(beam.point_stiffness()));
-    CHECK(beam.point_stiffness() / (WinklerBeam{ei, k * 1e-4}.point_stiffness()) ==
-          Approx(1e3).epsilon(1e-12));
-  }
-}
-
-TEST_CASE("extreme: exact elements from beta L = 1e-6 to 1000") {
-  const NoFpFault no_fault;
-  const double ei = 5e6, k = 2e7;
-  const double beta = WinklerBeam{ei, k}.beta();
-  for (double lambda = 1e-6; lambda < 2000; lambda *= 1.7) {
-    const auto e = exact_element(ei, k, lambda / beta);
-    CHECK((e - e.transpose()).norm() == 0.0);
-    // A uniform load K on both nodes' shapes: rigid translation needs a total force of K L for
-    // short elements.
-    if (lambda < 0.1)
-      CHECK(e.topLeftCorner(1, 4)(0, 0) + e(0, 2) ==
-            Approx(0.5 * k * lambda / beta).epsilon(2e-3).margin(1e-4 * e(0, 0)));
-    if (lambda > 30) CHECK(e(0, 0) == Approx(4 * ei * beta * beta * beta).epsilon(1e-12));
-  }
-  // No step where the series takes over, at beta L = 1 and at 1e-4.
-  for (double lambda : {1.0, 1e-4}) {
-    const auto below = exact_element(ei, k, lambda * (1 - 1e-13) / beta);
-    const auto above = exact_element(ei, k, lambda * (1 + 1e-13) / beta);
-    CHECK((below - above).cwiseQuotient(above).cwiseAbs().maxCoeff() < 1e-11);
-  }
-}
-
-TEST_CASE("extreme: very stiff and very soft joints") {
-  const NoFpFault no_fault;
-  const auto beam = typical_beam();
-  CHECK(joint_stiffness_ratio(beam, Joint{}, 0.0) == 1.0);
-  CHECK(joint_stiffness_ratio(beam, Joint{1e300, 1e300}, 0.0) == Approx(1.0).epsilon(1e-12));
-  CHECK(joint_stiffness_ratio(beam, Joint{1e-300, 1e-300}, 0.0) == Approx(0.25).epsilon(1e-12));
-  CHECK(joint_stiffness_ratio(beam, free_joint, 1e4) == Approx(1.0).epsilon(1e-14));
-  CHECK(paper_joint_ratio(1e9, 0.25) == 1.0);
-}
-
-TEST_CASE("extreme: widely spaced ties leave the foundation model behind") {
-  const NoFpFault no_fault;
-  for (double b : {8.0, 20.0, 50.0})  // a tie alone carries the load: ratio beta l_t / 2
-    CHECK(discrete_tie_ratio(b, LoadPlace::over_tie) == Approx(b / 2).epsilon(20 / (b * b * b)));
-  CHECK(discrete_tie_ratio(1e-3, LoadPlace::over_tie) == Approx(1.0).epsilon(1e-11));
-  CHECK(discrete_tie_ratio(1e-3, LoadPlace::midspan) == Approx(1.0).epsilon(1e-11));
-}
-
 TEST_CASE("extreme: a rail that nothing holds is refused, not solved") {
   const NoFpFault no_fault;
   BeamModel model{.bending_stiffness = 5e6, .x = Eigen::VectorXd{{0.0, 1.0, 2.0}}};
@@ -225,8 +214,6 @@ TEST_CASE("extreme: a rail that nothing holds is refused, not solved") {
   model.spring = Eigen::VectorXd{{0.0, 1e7, 0.0}};
   CHECK_THROWS_AS(solve_beam(model, {{1, 1e5}}), num::NumericalError);
 }
-
-// Bad data for the static track models: each is refused with a text that names it.
 
 TEST_CASE("input: an unknown rail lists the known ones") {
   for (const char* name : {"136re", "60E1", "uic60"}) CHECK(rail_section(name).name.size() > 3);

@@ -9,8 +9,8 @@
 #include <railbook/units/printable.hpp>
 #include <railbook/units/quantity.hpp>
 
-using namespace railbook::units;
 using namespace railbook;
+using namespace railbook::units;
 using Catch::Matchers::Contains;
 
 TEST_CASE("unit: quantities come in as SI") {
@@ -30,28 +30,6 @@ TEST_CASE("unit: quantities come in as SI") {
   CHECK(parse_quantity("ratio", "0.25", number) == 0.25);
   CHECK(parse_quantity("ratio", "25%", number) == 0.25);
   CHECK(parse_quantity("approach", "+4e-4in", length) == Approx(1.016e-5).epsilon(1e-15));
-}
-
-TEST_CASE("unit: a dimension is named, with newtons where a force is in it") {
-  const std::pair<Dimension, const char*> named[] = {{area, "m^2"},
-                                                     {volume, "m^3"},
-                                                     {speed, "m/s"},
-                                                     {acceleration, "m/s^2"},
-                                                     {frequency, "Hz"},
-                                                     {wavenumber, "1/m"},
-                                                     {force, "N"},
-                                                     {moment, "N*m"},
-                                                     {pressure, "Pa"},
-                                                     {stiffness, "N/m"},
-                                                     {damping, "N*s/m"},
-                                                     {subgrade_modulus, "N/m^3"},
-                                                     {mass_per_length, "kg/m"},
-                                                     {density, "kg/m^3"},
-                                                     {second_moment_of_area, "m^4"},
-                                                     {moment / angle, "N*m/rad"},
-                                                     {force * area, "N*m^2"},
-                                                     {mass * area, "kg*m^2"}};
-  for (const auto& [dimension, name] : named) CHECK(si_name(dimension) == name);
 }
 
 TEST_CASE("unit: a header names its unit after the underscore") {
@@ -174,4 +152,38 @@ TEST_CASE("input: text from outside is printable, short and still UTF-8") {
   } catch (const InputError& error) {
     CHECK(std::string{error.what()}.size() < 300);
   }
+}
+
+TEST_CASE("unit: powers and products in written and spoken forms") {
+  CHECK(units::parse_unit("in^3").si == Approx(0.0254 * 0.0254 * 0.0254).epsilon(1e-15));
+  CHECK(units::si_name(units::parse_unit("kg*m/s^2/rad").dimension) == "N/rad");
+  CHECK(units::si_name(units::parse_unit("kg*m*s").dimension) == "kg*m*s");
+  CHECK(units::si_name(units::parse_unit("s*rad").dimension) == "s*rad");
+  CHECK(units::si_name(units::parse_unit("1/m^2").dimension) == "1/m^2");
+  CHECK(units::si_name(units::parse_unit("m9").dimension) == "m^9");
+  CHECK(units::si_name(units::parse_unit("kg/m").dimension) == "kg/m");
+  CHECK_THROWS_AS(units::parse_unit("m0"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("m^"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("^2"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("2"), InputError);
+  CHECK_NOTHROW(units::parse_unit("m9*m9*m2"));
+  CHECK_THROWS_AS(units::parse_unit("m9*m9*m3"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("kg9*kg9*kg3"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("s9*s9*s3"), InputError);
+  CHECK_THROWS_AS(units::parse_unit("rad9*rad9*rad3"), InputError);
+  CHECK_NOTHROW(units::parse_unit("1/rad9/rad9/rad2"));
+  CHECK_THROWS_AS(units::parse_unit("GPa6*km3"), InputError);  // 1e63
+  CHECK_THROWS_AS(units::parse_unit("1/GPa6/km3"), InputError);
+  CHECK(units::parse_unit("  m * s ").dimension == units::length * units::time);
+  CHECK_THROWS_WITH(units::parse_unit("*m"), Contains("begins with *"));
+}
+
+TEST_CASE("unit: a range says which end is open") {
+  const double inf = units::infinity, tiny = std::numeric_limits<double>::denorm_min();
+  CHECK_THROWS_WITH(units::require_non_negative("x", -tiny, "m"), Contains("0 or greater"));
+  CHECK_THROWS_WITH(units::require_between("x", 0.5, 1, inf, "m"),
+                    Contains("x is 0.5 m; allowed: at least 1"));
+  CHECK_THROWS_WITH(units::require_between("x", 3, -inf, 2),
+                    Contains("x is 3; allowed: at most 2"));
+  CHECK_THROWS_WITH(units::require_finite("x", -inf, "m"), Contains("x is -inf m"));
 }

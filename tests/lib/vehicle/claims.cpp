@@ -2,7 +2,6 @@
 // motions in time.
 #include <Eigen/LU>
 #include <cmath>
-#include <vector>
 
 #include <railbook/cycles/floquet.hpp>
 #include <railbook/cycles/harmonic_balance.hpp>

@@ -1,114 +1,20 @@
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
+#include <string>
+#include <vector>
 
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/vehicle/cycle_branch.hpp>
+#include <railbook/vehicle/cycle_solver.hpp>
 #include <railbook/vehicle/describing_function.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
 
 using namespace railbook;
 using namespace railbook::vehicle;
+using units::inch;
 using units::pi;
-
-namespace {
-
-// A dead zone of 1, then slope 2; and a hardening spring that bends at 0.5 and 2.
-const std::vector<double> points{0, 0.5, 1, 2, 3};
-const std::vector<std::vector<double>> values{{0, 0, 0, 2, 4}, {0, 0.5, 1.5, 3.5, 8}};
-
-double interpolate(const std::vector<double>& f, double x) {
-  const double s = std::abs(x);
-  std::size_t k = 0;
-  while (k + 2 < points.size() && s > points[k + 1]) ++k;
-  const double y = f[k] + (f[k + 1] - f[k]) * (s - points[k]) / (points[k + 1] - points[k]);
-  return x < 0 ? -y : y;
-}
-
-// Eq. (8) by the midpoint rule: exact for a trigonometric polynomial, here of order 1/n^2.
-double by_midpoints(const std::vector<double>& f, double amplitude, int n = 200000) {
-  double sum = 0;
-  for (int i = 0; i < n; ++i) {
-    const double s = std::sin((i + 0.5) * pi / n);
-    sum += interpolate(f, amplitude * s) * s;
-  }
-  return 2 / amplitude * sum / n;
-}
-
-}  // namespace
-
-TEST_CASE("describing function: piecewise linear is eq. (8) exactly") {
-  const PiecewiseLinearGain table{points, values};
-  std::array<Gain, 2> gain;
-  for (const double amplitude : {1e-9, 0.3, 0.5, 0.51, 1.0, 1.7, 2.5, 10.0}) {
-    table.evaluate(amplitude, gain);
-    for (std::size_t f = 0; f < 2; ++f)
-      CHECK(gain[f].value == Approx(by_midpoints(values[f], amplitude)).margin(2e-9));
-  }
-  // The dead zone in closed form: 2 (1 - 2/pi (asin 1/A + sqrt(1 - 1/A^2) / A)).
-  table.evaluate(2, gain);
-  CHECK(gain[0].value == Approx(2 * (1 - 2 / pi * (pi / 6 + std::sqrt(3.0) / 4))).epsilon(1e-14));
-}
-
-TEST_CASE("describing function: slopes are those of the values") {
-  const PiecewiseLinearGain table{points, values};
-  std::array<Gain, 2> low, mid, high;
-  for (const double amplitude : {0.3, 0.7, 1.3, 2.2, 7.0}) {
-    const double h = 1e-5 * amplitude;
-    table.evaluate(amplitude - h, low);
-    table.evaluate(amplitude, mid);
-    table.evaluate(amplitude + h, high);
-    for (std::size_t f = 0; f < 2; ++f)
-      CHECK(mid[f].slope == Approx((high[f].value - low[f].value) / (2 * h)).margin(1e-8));
-  }
-  for (const double amplitude : {0.5, 1.5, 30.0}) {
-    const double h = 1e-5 * amplitude;
-    const auto rise = regularized_friction(3, 1, amplitude + h).value -
-                      regularized_friction(3, 1, amplitude - h).value;
-    CHECK(regularized_friction(3, 1, amplitude).slope == Approx(rise / (2 * h)).margin(1e-8));
-  }
-}
-
-TEST_CASE("describing function: quadrature of smooth functions") {
-  // x^3 gives 3/4 A^2; sin x gives 2 J_1(A) / A.
-  const auto cube =
-      describe([](double x) { return x * x * x; }, [](double x) { return 3 * x * x; }, 0.7);
-  CHECK(cube.converged);
-  CHECK(cube.gain.value == Approx(0.75 * 0.49).epsilon(1e-13));
-  CHECK(cube.gain.slope == Approx(1.5 * 0.7).epsilon(1e-12));
-  const auto sine =
-      describe([](double x) { return std::sin(x); }, [](double x) { return std::cos(x); }, 2.0);
-  CHECK(sine.gain.value == Approx(std::cyl_bessel_j(1, 2.0)).epsilon(1e-12));
-  CHECK_THROWS_AS(describe([](double x) { return x; }, [](double) { return 1.0; }, 0), InputError);
-}
-
-TEST_CASE("describing function: friction, regularized, tends to eq. (12)") {
-  CHECK(regularized_friction(5, 0.1, 0.05).value == Approx(50));
-  for (const double ratio : {1e2, 1e4}) {
-    const double exact = ideal_friction(5, 1).value;
-    CHECK(regularized_friction(5, 1 / ratio, 1).value ==
-          Approx(exact).epsilon(0.2 / (ratio * ratio)));
-  }
-  CHECK(ideal_friction(5, 2).value == Approx(10 / pi));
-  CHECK_THROWS_AS(ideal_friction(5, 0), InputError);
-}
-
-// The slope loses digits where the amplitude comes down to the core's width, for there 1 - 1/A is a
-// small difference.
-TEST_CASE("describing function: digits of regularized friction against 80-bit arithmetic") {
-  const long double pi_l = std::numbers::pi_v<long double>;
-  double gain = 0, slope = 0;
-  for (double a = 1.01; a < 1e6; a *= 1.01) {
-    const long double b = 1 / static_cast<long double>(a), root = std::sqrt((1 - b) * (1 + b));
-    const long double value = 2 / pi_l * (std::asin(b) + b * root), rise = -4 / pi_l * b * b * root;
-    const Gain found = regularized_friction(1, 1, a);
-    gain = std::max(gain, static_cast<double>(std::abs(found.value / value - 1)));
-    slope = std::max(slope, static_cast<double>(std::abs(found.slope / rise - 1)));
-  }
-  CHECK(gain < 1e-15);
-  CHECK(slope < 1e-13);
-}
 
 TEST_CASE("describing function: tables that are no odd functions are refused") {
   using Table = std::vector<std::vector<double>>;
@@ -121,4 +27,62 @@ TEST_CASE("describing function: tables that are no odd functions are refused") {
                   InputError);
   CHECK_THROWS_AS((PiecewiseLinearGain{std::vector<double>{0.1, 1, 2}, Table{{0, 1, 2}}}),
                   InputError);
+}
+
+TEST_CASE("Each end of a branch of describing functions") {
+  const QuasiLinearCar car{assemble({}, Suspension::dampers), wheelset::cn_table()};
+  const auto hopf = hopf_points(car, 5, 100);
+  REQUIRE_FALSE(hopf.empty());
+  const auto walked = [&](const BranchOptions& options) {
+    return trace_from(car, hopf[0], options);
+  };
+  const CycleBranch all = walked({});
+  CHECK(all.end == BranchEnd::amplitude);
+  const auto& last = all.points.back();
+  CHECK(last.largest > 0.75 * inch);
+  CHECK(all.points[all.points.size() - 2].largest <= 0.75 * inch);
+  const double first = all.points.front().motion.speed;
+  double low = first, high = first;
+  for (const CyclePoint& p : all.points)
+    low = std::min(low, p.motion.speed), high = std::max(high, p.motion.speed);
+  BranchOptions options;
+  REQUIRE(low < 0.99 * first);
+  options.lowest_speed = 0.5 * (low + first);
+  const auto slow = walked(options);
+  CHECK(slow.end == BranchEnd::speed);
+  CHECK(slow.points.back().motion.speed < options.lowest_speed);
+  CHECK(slow.points[slow.points.size() - 2].motion.speed >= options.lowest_speed);
+  options = {};
+  options.highest_speed = 0.5 * (high + first);
+  REQUIRE(high > 1.01 * first);
+  const auto fast = walked(options);
+  CHECK(fast.end == BranchEnd::speed);
+  CHECK(fast.points.back().motion.speed > options.highest_speed);
+  CHECK(fast.points[fast.points.size() - 2].motion.speed <= options.highest_speed);
+  options = {};
+  options.smallest_step = 1;
+  CHECK(walked(options).end == BranchEnd::step);
+  CHECK(walked(options).points.size() == 1);
+  // Back from a cycle half way: towards smaller ones, down to half the first amplitude.
+  const CyclePoint& middle = all.points[all.points.size() / 2];
+  const auto back = trace_from(car, middle, -1, {});
+  CHECK(back.end == BranchEnd::small_cycle);
+  CHECK(back.points[1].largest < middle.largest);
+  CHECK(back.points.back().largest < 0.018 * inch);
+  CHECK(back.points[back.points.size() - 2].largest >= 0.018 * inch);
+  CHECK(trace_from(car, middle, 1, {}).points[1].largest > middle.largest);
+  for (int stop = 0; stop < 7; ++stop)
+    for (int other = 0; other < stop; ++other)
+      CHECK(std::string(to_string(BranchEnd(stop))) != to_string(BranchEnd(other)));
+  // The first step is a quarter of the largest, in the scaled unknowns, and none is longer than
+  // that.
+  Unknowns before = scaled(all.points[0].motion);
+  for (std::size_t k = 1; k < all.points.size(); ++k) {
+    const Unknowns now = scaled(all.points[k].motion);
+    const double length = (now - before).norm();
+    if (k == 1) CHECK(length == Approx(0.25 * 0.03).epsilon(0.02));
+    if (k == 2) CHECK(length == Approx(1.5 * 0.25 * 0.03).epsilon(0.02));
+    CHECK(length < 1.06 * 0.03);
+    before = now;
+  }
 }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include <railbook/units/input_error.hpp>
 #include <railbook/vehicle/cycle_branch.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
 
@@ -10,68 +11,13 @@
 using namespace railbook;
 using namespace railbook::vehicle;
 using Catch::Matchers::Contains;
-using units::foot;
+using units::foot, units::inch;
 
 namespace {
 
 QuasiLinearCar new_wheels(const CarParameters& data = {}) {
   return {assemble(data, Suspension::dampers), wheelset::new_wheel_table()};
 }
-
-double fastest_decay(const QuasiLinearCar& car, double speed) {
-  double fastest = 0;
-  for (const auto& mode : modes(car, car.small(), speed))
-    fastest = std::min(fastest, mode.lambda.real());
-  return fastest;
-}
-
-}  // namespace
-
-// Creep damping is as 1/V: one mode overdamped without bound, hunting ever slower. The constants
-// are an independent program's.
-TEST_CASE("linear car: V to zero") {
-  const auto car = new_wheels();
-  for (const double speed : {1e-3, 1e-2, 0.1}) {
-    const double feet = speed / foot;
-    CHECK(fastest_decay(car, speed) * feet == Approx(-2.667e4).epsilon(2e-3));
-    const auto least = modes(car, car.small(), speed).front();
-    CHECK(least.lambda.real() / feet == Approx(-0.0184).epsilon(0.02));
-    CHECK(least.lambda.imag() / feet == Approx(0.0894).epsilon(0.02));
-  }
-}
-
-TEST_CASE("linear car: V to infinity") {
-  const auto car = new_wheels();
-  const auto at = [&](double speed) { return modes(car, car.small(), speed).front().lambda; };
-  CHECK(std::abs(at(1e7) - at(1e8)) < 1e-3);
-  CHECK(at(1e8).real() == Approx(21.2).epsilon(0.01));
-  CHECK(at(1e8).imag() == Approx(28.1).epsilon(0.01));
-}
-
-TEST_CASE("linear car: no damping, weak creep, almost no mass") {
-  CarParameters bare;
-  bare.lateral_friction = bare.vertical_friction = bare.warp_friction = bare.centre_plate_friction =
-      0;
-  CarParameters slippery;
-  slippery.f11 *= 0.1;
-  CarParameters light;
-  light.bolster_mass = light.sideframe_mass = 0;
-  for (const auto& data : {bare, slippery, light}) {
-    const auto car = new_wheels(data);
-    const auto found = hopf_points(car, 0.3, 120);
-    REQUIRE_FALSE(found.empty());
-    // Just below and just above the first, one pair more grows.
-    const auto growing = [&](double speed) {
-      int count = 0;
-      for (const auto& mode : modes(car, car.small(), speed)) count += mode.lambda.real() > 0;
-      return count;
-    };
-    const double v = found[0].motion.speed;
-    CHECK(std::abs(growing(v * 1.0001) - growing(v * 0.9999)) == 1);
-  }
-}
-
-namespace {
 
 // Oscillations that grow by more than rounding.
 int growing(const QuasiLinearCar& car, double speed) {
@@ -171,19 +117,6 @@ TEST_CASE("linear car: a growth rate of nothing but rounding is known as such") 
   }
 }
 
-TEST_CASE("limit cycles: at the kink of the flange and at the table's end") {
-  const auto car = new_wheels();
-  const auto hopf = hopf_points(car, 1, 120);
-  BranchOptions options;
-  options.first_amplitude = 0.3975 * units::inch;  // the last straight point of the table
-  const auto kink = trace_from(car, hopf[0], options);
-  CHECK(kink.end == BranchEnd::amplitude);
-  options.largest_amplitude = 0.4 * units::inch;
-  CHECK(trace_from(car, hopf[0], options).points.back().largest < 0.41 * units::inch);
-  options.most_points = 5;
-  CHECK(trace_from(car, hopf[0], options).end == BranchEnd::points);
-}
-
 // The body's yaw inertia at which both critical speeds of the new wheel fall together, by secants:
 // a double root of the pencil.
 TEST_CASE("linear car: two critical speeds that coincide are both listed") {
@@ -210,4 +143,66 @@ TEST_CASE("linear car: two critical speeds that coincide are both listed") {
   const auto found = hopf_points(car_with(b), 30, 60);
   REQUIRE(found.size() == 2);
   for (const auto& point : found) CHECK(point.motion.speed == Approx(one.speed).epsilon(1e-9));
+}
+
+namespace {
+
+// Straight functions with the paper's slopes a dR/dx, a dD/dx, a dPhi/dx, and a steep rise from 0.4
+// in on.
+wheelset::ConstraintFunctions geometry(double r, double d, double phi, double wall = 0) {
+  wheelset::ConstraintFunctions g;
+  g.half_spacing = CarParameters{}.half_gauge;
+  g.radius = CarParameters{}.wheel_radius;
+  const double step = 0.05 * inch;
+  const auto table = [&](double slope, double rise) {
+    std::vector<double> values;
+    for (int k = 0; k <= 15; ++k)
+      values.push_back(k * step * slope / g.half_spacing + std::max(0, k - 8) * step * rise);
+    return wheelset::OddTable{step, values};
+  };
+  g.R = table(r, wall);
+  g.D = table(d, 20 * wall);
+  g.Phi = table(phi, 0.5 * wall);
+  return g;
+}
+wheelset::ConstraintFunctions cone() {
+  return geometry(0.05201, 0, 0.05200);
+}
+wheelset::ConstraintFunctions hollow() {
+  return geometry(0.15596, 7.215, 0.04654, 5);
+}
+
+}  // namespace
+
+// 145 ft/s with new wheels; 12, 21 and 26 rad/s are in the paper's text. The slopes are those of
+// the reconstructed profiles; the further digits were computed by an independent program from the
+// same slopes.
+TEST_CASE("Hopf points: the paper's car") {
+  struct Case {
+    wheelset::ConstraintFunctions table;
+    double v[2], omega[2];
+  };
+  const Case cases[]{{cone(), {144.54, 152.42}, {12.05, 13.09}},
+                     {hollow(), {130.36, 175.59}, {21.12, 26.63}},
+                     {geometry(0.42601, 11.426, 0.13878), {86.79, 102.31}, {26.14, 30.68}}};
+  for (const auto& c : cases) {
+    const QuasiLinearCar car{assemble({}, Suspension::dampers), c.table};
+    const auto found = hopf_points(car, 3, 120);
+    REQUIRE(found.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(found[k].motion.speed / foot == Approx(c.v[k]).margin(0.006));
+      CHECK(found[k].motion.lambda.imag() == Approx(c.omega[k]).margin(0.006));
+    }
+  }
+}
+
+TEST_CASE("linear stability: what cannot be asked is refused") {
+  const QuasiLinearCar car{assemble({}, Suspension::dampers), cone()};
+  CHECK_THROWS_AS(hopf_points(car, 0, 10), InputError);
+  CHECK_THROWS_AS(hopf_points(car, 20, 10), InputError);
+  CHECK_THROWS_AS(modes(car, car.small(), 0), InputError);
+  auto other = cone();
+  other.half_spacing *= 1.01;
+  CHECK_THROWS_WITH((QuasiLinearCar{assemble({}, Suspension::dampers), other}),
+                    Catch::Contains("half spacing"));
 }

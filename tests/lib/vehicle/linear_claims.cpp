@@ -2,7 +2,6 @@
 // bits, of the car put together body by body: cars at random, at any speed, of any amplitude.
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <vector>
 
 #include <railbook/vehicle/car_families.hpp>
 #include <railbook/vehicle/cycle_branch.hpp>

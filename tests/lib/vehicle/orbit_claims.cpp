@@ -151,10 +151,6 @@ double mismatch(const std::vector<Complex>& exact, const std::vector<Complex>& f
   return worst;
 }
 
-}  // namespace
-
-namespace {
-
 // How far p_0 and its rate are from the exact cycle, relative to its size, at the best phase near a
 // share of it.
 double off_cycle(const Disguised& d, const VectorXd& y, double& share) {

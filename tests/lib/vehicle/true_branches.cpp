@@ -9,7 +9,9 @@
 #include <railbook/vehicle/car_families.hpp>
 #include <railbook/vehicle/car_on_track.hpp>
 #include <railbook/vehicle/creep_limit.hpp>
+#include <railbook/vehicle/cycle_branch.hpp>
 #include <railbook/vehicle/linear_stability.hpp>
+#include <railbook/vehicle/refine_cycle.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
 
 using namespace railbook;
@@ -58,29 +60,6 @@ double size_of(const Traced& t, const Orbit& orbit, double speed) {
   return largest;
 }
 
-// The largest speed by shooting alone: the parabola of speed over frequency through three orbits
-// round the fold.
-double fold_by_shooting(const Traced& t, const SpecialCycle& fold, const ContinuationOptions& o) {
-  double w[3], v[3];
-  const double speeds[3] = {fold.at.parameter - 0.15 * foot, fold.at.parameter - 0.05 * foot,
-                            fold.at.parameter - 0.1 * foot};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto found = cycles_at(t.family, t.branch, speeds[k], o);
-    // The two on either side of the fold are those nearest to it in amplitude.
-    std::vector<LimitCycle> near;
-    for (const auto& c : found)
-      if (std::abs(c.largest / fold.at.largest - 1) < 0.01) near.push_back(c);
-    REQUIRE(near.size() == 2);
-    const LimitCycle& c = near[k == 2 ? 1 : 0];
-    w[k] = shot(t, c).omega();
-    v[k] = c.parameter;
-  }
-  const double d01 = (v[1] - v[0]) / (w[1] - w[0]), d12 = (v[2] - v[1]) / (w[2] - w[1]);
-  const double bend = (d12 - d01) / (w[2] - w[0]);
-  const double top = 0.5 * (w[0] + w[1]) - 0.5 * d01 / bend;
-  return v[0] + d01 * (top - w[0]) + bend * (top - w[0]) * (top - w[1]);
-}
-
 const SpecialCycle& first_of(const LimitCycleBranch& branch, CycleEvent kind, double above) {
   for (const auto& s : branch.special)
     if (s.kind == kind && s.at.parameter > above) return s;
@@ -89,20 +68,6 @@ const SpecialCycle& first_of(const LimitCycleBranch& branch, CycleEvent kind, do
 }
 
 }  // namespace
-
-TEST_CASE("True branches: folds on the flange by balance and by shooting", "[continuation]") {
-  // 200.6 and 150.3 ft/s were also found by AUTO-07p; describing functions have 239.5 and 147.8.
-  for (const auto& [table, above] :
-       {std::pair{&wheelset::new_wheel_table(), 180.0}, std::pair{&wheelset::cn_table(), 140.0}}) {
-    const auto o = options();
-    const Traced t = traced(*table, Suspension::dampers, o);
-    const SpecialCycle& fold = first_of(t.branch, CycleEvent::fold, above * foot);
-    CHECK(fold.located);
-    const double by_shooting = fold_by_shooting(t, fold, o);
-    CAPTURE(fold.at.parameter / foot, by_shooting / foot);
-    CHECK(std::abs(fold.at.parameter - by_shooting) < 0.05 * foot);
-  }
-}
 
 TEST_CASE("True branches: cycles, multipliers and the torus point by shooting", "[continuation]") {
   const auto o = options();
@@ -123,47 +88,6 @@ TEST_CASE("True branches: cycles, multipliers and the torus point by shooting", 
   // Before it stable, beyond it not.
   CHECK(t.branch.points[torus.after].stable);
   CHECK_FALSE(t.branch.points[torus.after + 1].stable);
-}
-
-TEST_CASE("True branches: friction, against integration by an independent program",
-          "[continuation]") {
-  auto o = options();
-  o.first_amplitude = 0.001 * inch;
-  o.largest_amplitude = 0.2 * inch;
-  o.tail = 3e-5;
-  const Traced t = traced(wheelset::cn_table(), Suspension::friction, o);
-  for (const auto& [speed, a, omega, allowed] :
-       {std::tuple{90.0, 0.0454, 14.241, 3e-3}, {100.0, 0.1284, 17.120, 1e-3}}) {
-    const auto found = cycles_at(t.family, t.branch, speed * foot, o);
-    REQUIRE_FALSE(found.empty());
-    CHECK(found.back().largest / inch == Approx(a).epsilon(allowed));
-    CHECK(found.back().cycle.omega == Approx(omega).epsilon(3e-4));
-  }
-}
-
-TEST_CASE("True branches: in a datum as in speed", "[continuation]") {
-  const auto o = options();
-  const auto& table = wheelset::new_wheel_table();
-  const Traced t = traced(table, Suspension::dampers, o);
-  const auto start = cycles_at(t.family, t.branch, 150 * foot, o);
-  REQUIRE_FALSE(start.empty());
-  const double value = t.car.data.warp_stiffness;
-  const Family family = by_datum(t.car, &CarParameters::warp_stiffness, table, 150 * foot);
-  auto along = o;
-  along.lowest = 0;
-  along.highest = 1.1 * value;
-  const auto branch =
-      follow_from(family, start[0].cycle, value, Direction::larger_parameter, along);
-  CHECK(branch.stop == BranchStop::parameter);
-  const auto there = cycles_at(family, branch, 1.05 * value, along);
-  REQUIRE(there.size() == 1);
-  CarParameters stiffer = t.car.data;
-  stiffer.warp_stiffness *= 1.05;
-  const auto again = cycle_near(by_speed(assemble(stiffer, Suspension::dampers), table),
-                                there[0].cycle, 150 * foot, o);
-  REQUIRE(again.size() == 1);
-  CHECK(again[0].largest == Approx(there[0].largest).epsilon(1e-8));
-  CHECK(again[0].cycle.omega == Approx(there[0].cycle.omega).epsilon(1e-8));
 }
 
 TEST_CASE("Limited creep: small motions are the linear car's, large ones those in time",
@@ -231,5 +155,71 @@ TEST_CASE("Limited creep: the cubic as a curve of one's own is the built-in one"
     b.couplings[1].law(s, fb, db);
     for (int m = 0; m < 2; ++m) CHECK(fa[m] == Approx(fb[m]).epsilon(1e-12));
     for (int m = 0; m < 6; ++m) CHECK(da[m] == Approx(db[m]).epsilon(1e-5));
+  }
+}
+
+namespace {
+
+const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
+
+}  // namespace
+
+TEST_CASE("Another cycle is not taken for this one: new wheels at 199 ft/s", "[balance]") {
+  const auto car = assemble({}, Suspension::dampers);
+  const auto& table = wheelset::new_wheel_table();
+  const QuasiLinearCar linear{car, table};
+  const auto hopf = hopf_points(linear, 10, 50);
+  const auto found = cycles_at_speed(linear, trace_from(linear, hopf[0], {}), 199 * units::foot);
+  REQUIRE(found.size() == 2);
+  std::vector<RefinedCycle> close;
+  for (const CyclePoint& point : found) {
+    const RefinedCycle e = refine_cycle(car, table, point.motion);
+    CHECK(e.converged == (e.orbit.converged && e.distance <= another_cycle));
+    if (e.converged) close.push_back(e);
+  }
+  REQUIRE(close.size() == 1);
+  // Balanced at once, the first one leads to a cycle of 24.27 rad/s; by growing orders it goes its
+  // own way.
+  CHECK(close[0].omega == Approx(22.33).epsilon(1e-3));
+}
+
+TEST_CASE("Shooting is bounded: friction that sticks hard costs no endless time", "[balance]") {
+  CarParameters data;
+  data.stick_speed *= 1e-4;
+  data.stick_rate *= 1e-4;
+  const auto car = assemble(data, Suspension::friction);
+  const Oscillator o = car_on_track(car, wheelset::new_wheel_table(), 30);
+  const Orbit orbit = shoot(o, Eigen::VectorXd::Constant(18, 1e-3), 0.5, {.most_steps = 500});
+  CHECK_FALSE(orbit.converged);
+  CHECK(orbit.steps <= 501);
+  CHECK_THAT(orbit.reason, Catch::Matchers::Contains("too stiff"));
+}
+
+TEST_CASE("A cycle's stability is seen in time: both cycles of CN at 131 ft/s", "[balance]") {
+  const auto car = assemble({}, Suspension::dampers);
+  const auto& table = wheelset::cn_table();
+  const Oscillator o = car_on_track(car, table, 131 * units::foot);
+  const QuasiLinearCar linear{car, table};
+  const auto hopf = hopf_points(linear, 100 * units::foot, 150 * units::foot);
+  REQUIRE(hopf.size() == 1);
+  const auto found = cycles_at_speed(linear, trace_from(linear, hopf[0], {}), 131 * units::foot);
+  REQUIRE(found.size() == 2);
+  for (const CyclePoint& point : found) {
+    const RefinedCycle e = refine_cycle(car, table, point.motion);
+    REQUIRE(e.converged);
+    CHECK(e.stability.stable == point.stable);
+    // Two per cent off the cycle: how much of it is left after 20 periods?
+    HistoryOptions options;
+    for (int i = 0; i < wheelsets; ++i) options.watch.push_back(o.channels[std::size_t(i)].row);
+    const History h = integrate(o, 0.98 * e.orbit.y, 20 * e.orbit.period, options);
+    const std::size_t largest =
+        amplitude(o, e.orbit, o.channels[0].row) > 0.99 * e.amplitude ? 0 : 2;
+    const Swing s = swing(h, largest, 2);
+    REQUIRE(s.found);
+    const double off = std::abs(s.amplitude / e.amplitude - 1);
+    if (e.stability.stable)
+      CHECK(off < 0.015);
+    else
+      CHECK(off > 0.03);
   }
 }

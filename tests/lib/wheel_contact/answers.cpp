@@ -52,74 +52,6 @@ bool warned(const WheelResult& found, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range and not within") {
-  const ProfilePair pair = on_crown();
-  const auto refused = [&](const Pose& pose, const WheelInput& input) -> std::string {
-    try {
-      solve_wheel(pair, pose, input);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
-  };
-  for (const double share : {0.999, 1.001}) {
-    const bool beyond = share > 1;
-    const auto starts = [&](const std::string& text, const std::string& with) {
-      INFO(text << " | " << with);
-      CHECK(text.starts_with(with) == beyond);
-    };
-    for (const double sign : {-1.0, 1.0}) {
-      starts(refused({.y = sign * share * 0.05}, wish_of()), "shift is ");
-      starts(refused({.yaw = sign * share * 0.1}, wish_of()), "yaw is ");
-      starts(refused({.roll = sign * share * 0.1}, wish_of()), "roll is ");
-    }
-    const auto with = [&](auto&& change) {
-      WheelInput input = wish_of();
-      change(input);
-      return refused({}, input);
-    };
-    starts(with([&](WheelInput& w) { w.friction.coefficient = 2 * share; }), "friction is ");
-    starts(with([&](WheelInput& w) { w.friction.flange = 2 * share; }),
-           "friction of the flange is ");
-    starts(with([&](WheelInput& w) { w.friction.high_speed_share = share; }), "friction's share");
-    starts(with([&](WheelInput& w) { w.friction.high_speed_share = 1 - share; }),
-           "friction's share");
-    for (long WheelInput::*cells : {&WheelInput::along, &WheelInput::across}) {
-      starts(with([&](WheelInput& w) { w.*cells = beyond ? 7 : 8; }), "cells a");
-      starts(with([&](WheelInput& w) { w.*cells = beyond ? 513 : 512; }), "cells a");
-    }
-  }
-}
-
-TEST_CASE(
-    "unit: the verge of a second contact is half of the sinking away, or a tenth of the load") {
-  double sunk = 0;
-  {
-    const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish_of());
-    REQUIRE(alone.patches.size() == 1);
-    sunk = alone.z - alone.z_touch;
-    CHECK(alone.warnings.empty());
-  }
-  for (const double lower : {1.47, 1.53}) {
-    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
-    CHECK(found.patches.size() == 1);
-    CHECK(found.warnings.size() == (lower < 1.5 ? 1 : 0));
-    CHECK(warned(found, "mm across the wheel only") == (lower < 1.5));
-  }
-  int light = 0;
-  for (const double lower : {0.5, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8}) {
-    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
-    REQUIRE(found.patches.size() == 2);
-    const bool little = found.patches[1].load < 0.1 * found.patches[0].load;
-    CAPTURE(lower, found.patches[1].load / found.patches[0].load);
-    CHECK(warned(found, "a patch carries only") == little);
-    CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
-    light += little ? 1 : 0;
-  }
-  CHECK(light > 1);
-  CHECK(light < 6);
-}
-
 TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, have a warning") {
   // A hollow tread about a rail that nearly fills it.
   Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
@@ -216,36 +148,6 @@ TEST_CASE("unit: two crowns share the load of the full theory as Hertz's theory 
     }
     CHECK(full.z - full.z_touch == Approx(hertz.z - hertz.z_touch).epsilon(0.01));
   }
-}
-
-TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored pose") {
-  const ProfilePair pair = on_crown(-0.05);
-  for (const Method method : {Method::hertz, Method::strips, Method::full})
-    for (const double friction : {0.0, 0.3}) {
-      WheelInput input = wish_of(method);
-      input.friction.coefficient = friction;
-      const WheelsetResult right = solve_wheelset(pair, {.y = 2e-3, .yaw = 1e-3}, input),
-                           left = solve_wheelset(pair, {.y = -2e-3, .yaw = -1e-3}, input);
-      CAPTURE(static_cast<int>(method), friction);
-      REQUIRE(right.converged);
-      REQUIRE(left.converged);
-      CHECK(right.reason.empty());
-      CHECK(right.pose.y == 2e-3);
-      CHECK(right.pose.roll != 0);
-      CHECK(left.pose.roll == Approx(-right.pose.roll).epsilon(1e-4));
-      CHECK(left.angular_velocity == Approx(right.angular_velocity).epsilon(1e-8));
-      CHECK(std::abs(right.left.z - right.right.z) < 2.1e-8);
-      CHECK(left.left.z == Approx(right.right.z).epsilon(1e-6).margin(1e-9));
-      CHECK(left.right.force.y() == Approx(right.left.force.y()).epsilon(1e-3));
-      if (friction == 0) {
-        CHECK(right.angular_velocity == speed / 0.46);
-        CHECK(right.left.force.x() == 0);
-      } else {
-        CHECK(std::abs(right.left.axle_moment + right.right.axle_moment) <
-              1.01e-4 * friction * input.load * 0.46);
-        CHECK(right.angular_velocity != Approx(speed / 0.46).epsilon(1e-6));
-      }
-    }
 }
 
 TEST_CASE("unit: a patch that unloads on the way to the load is left out of the answer") {
@@ -374,41 +276,6 @@ TEST_CASE("unit: friction of the flange acts on the flange only") {
     const WheelResult same = solve_wheel(pair, {.y = 6.8e-3}, input);
     input.friction.flange.reset();
     CHECK(same.force == solve_wheel(pair, {.y = 6.8e-3}, input).force);
-  }
-}
-
-TEST_CASE("unit: stresses below a patch that slides lie on the cells of its tractions") {
-  const WheelInput input = wish_of(Method::full);
-  const PatchResult p = solve_wheel(on_crown(), {}, input).patches.front();
-  const PatchStress found = stresses(p, input);
-  const auto& t = p.forces.tractions;
-  for (Eigen::Index k = 0; k < t.x.size(); ++k) {
-    const double column = (t.x[k] - found.grid.x(0)) / found.grid.dx,
-                 row = (t.y[k] - found.grid.y(0)) / found.grid.dy;
-    REQUIRE(column == Approx(std::round(column)).margin(1e-6));
-    REQUIRE(row == Approx(std::round(row)).margin(1e-6));
-  }
-}
-
-TEST_CASE("unit: a wheelset's wish is refused beyond its range and not within") {
-  const auto refused = [](const Pose& pose, double load, double along) -> std::string {
-    WheelInput input = wish_of(Method::hertz, load);
-    input.speed = along, input.friction.coefficient = 0;
-    try {
-      solve_wheelset(on_crown(-0.05), pose, input);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
-  };
-  for (const double sign : {-1.0, 1.0})
-    for (const double share : {0.999, 1.001}) {
-      CHECK(refused({.y = sign * share * 0.05}, 1e4, 9).starts_with("shift is ") == (share > 1));
-      CHECK(refused({.yaw = sign * share * 0.1}, 1e4, 9).starts_with("yaw is ") == (share > 1));
-    }
-  for (const double none : {0.0, -1.0}) {
-    CHECK(refused({}, none, 9).starts_with("load is "));
-    CHECK(refused({}, 1e4, none).starts_with("speed is "));
   }
 }
 

@@ -1,18 +1,19 @@
-// Equivalent conicity against a cone, against integration of the wheelset's path, and against a
-// cubic's closed form.
-#include <railbook/wheelset/conicity.hpp>
-
+// Equivalent conicity where it has several answers or none, and of unlike sides.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include <railbook/num/quadrature.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/wheelset/conicity.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
+#include <railbook/wheelset/tabulate.hpp>
 
 using namespace railbook;
+using namespace railbook::profiles;
 using namespace railbook::wheelset;
+using units::millimetre;
 
 namespace {
 
@@ -42,42 +43,6 @@ double quarter_by_steps(const ConstraintFunctions& f, double amplitude, int step
 }
 
 }  // namespace
-
-TEST_CASE("A cone has its own conicity, at every amplitude and by every definition") {
-  const auto cone = from_R(1e-3, {0, 0.1e-3 / 0.75, 0.2e-3 / 0.75});
-  for (const double amplitude : {1e-6, 0.5e-3, 1e-3, 1.7e-3, 2e-3}) {
-    const Conicity c = conicity(cone, amplitude);
-    CHECK(c.kinematic == Approx(0.1).epsilon(1e-12));
-    CHECK(c.harmonic == Approx(0.1).epsilon(1e-12));
-    CHECK(c.regression == Approx(0.1).epsilon(1e-12));
-    CHECK(c.wavelength == Approx(2 * units::pi * std::sqrt(0.75 * 0.46 / 0.1)).epsilon(1e-12));
-  }
-}
-
-TEST_CASE("The wavelength is that of the path integrated step by step") {
-  for (const auto* pair : {&new_wheel_table(), &cn_table(), &heumann_table()})
-    for (const double amplitude : {2e-3, 7e-3, 10.5e-3, 15e-3}) {
-      const Conicity c = conicity(*pair, amplitude);
-      REQUIRE(c.oscillates);
-      CHECK(0.25 * c.wavelength == Approx(quarter_by_steps(*pair, amplitude, 4000)).epsilon(2e-6));
-    }
-}
-
-TEST_CASE("A cubic difference of radii has the closed forms of its three conicities") {
-  // R = c y^3: wavelength 4/A sqrt(2 r_0/c) * integral (1 - t^4)^(-1/2) = K; harmonic 3/4 a c A^2;
-  // regression 3/5.
-  const double amplitude = 8e-3, strength = 0.05 / (amplitude * amplitude * amplitude);
-  const int n = 4000;
-  std::vector<double> values(n + 1);
-  for (int i = 0; i <= n; ++i) values[std::size_t(i)] = strength * std::pow(amplitude * i / n, 3);
-  const auto cubic = from_R(amplitude / n, values);
-  const Conicity c = conicity(cubic, amplitude);
-  const double lemniscate = 1.3110287771460599;  // Gauss: integral of (1 - t^4)^(-1/2) from 0 to 1
-  CHECK(c.wavelength ==
-        Approx(4 / amplitude * std::sqrt(2 * 0.46 / strength) * lemniscate).epsilon(1e-6));
-  CHECK(c.harmonic == Approx(0.75 * 0.75 * strength * amplitude * amplitude).epsilon(1e-6));
-  CHECK(c.regression == Approx(0.6 * 0.75 * strength * amplitude * amplitude).epsilon(1e-6));
-}
 
 TEST_CASE("A wheelset comes past a stretch that drives it outwards if it has the energy") {
   std::mt19937 random(20261123);
@@ -115,4 +80,81 @@ TEST_CASE("A wheelset that is driven outwards has no wavelength") {
   const Conicity c = conicity(away, 1.5e-3);
   CHECK_FALSE(c.oscillates);
   CHECK(c.harmonic < 0);
+}
+
+namespace {
+
+// R(x) = slope (x - centre), as odd and even parts; straight, or with a bend a knot away from the
+// middle.
+ConstraintFunctions straight(double slope, double centre, double bend = 0) {
+  constexpr int knots = 81;
+  constexpr double step = 0.1 * millimetre;
+  std::vector<double> odd(knots), even(knots);
+  const auto R = [&](double x) { return slope * (x - centre) + (x > 0 ? bend * slope * x : 0); };
+  for (int i = 0; i < knots; ++i) {
+    odd[std::size_t(i)] = 0.5 * (R(i * step) - R(-i * step));
+    even[std::size_t(i)] = 0.5 * (R(i * step) + R(-i * step));
+  }
+  ConstraintFunctions f;
+  f.half_spacing = 0.75, f.radius = 0.46;
+  f.R = f.D = f.Phi = OddTable(step, odd);
+  f.even = {even, even, even};
+  return f;
+}
+
+}  // namespace
+
+TEST_CASE("unit: cones of unlike radii have their cone's conicity about another centre") {
+  const double slope = 0.05 / 0.75;  // of a cone of 0.05
+  for (const double centre : {0.0, 1.3 * millimetre, -2.07 * millimetre})
+    for (const double A : {0.3, 1.0, 4.2}) {
+      const Conicity c = conicity(straight(slope, centre), A * millimetre);
+      CHECK(c.oscillates);
+      CHECK(c.centre == Approx(centre).margin(1e-12));
+      CHECK(c.kinematic == Approx(0.05).epsilon(1e-9));
+      CHECK(c.wavelength == Approx(2 * units::pi * std::sqrt(0.75 * 0.46 / 0.05)).epsilon(1e-9));
+      CHECK(std::isnan(c.harmonic));
+    }
+}
+
+TEST_CASE("unit: a wheelset that is steered one way has no centre, and no conicity") {
+  const Conicity c = conicity(straight(0.05 / 0.75, 20 * millimetre), millimetre);
+  CHECK_FALSE(c.oscillates);
+  CHECK(std::isnan(c.centre));
+  CHECK_THROWS_AS(conicity(straight(0.05 / 0.75, 3 * millimetre), 6 * millimetre), InputError);
+}
+
+namespace {
+
+ConstraintFunctions table_of(const WheelsetOnTrack& pair) {
+  return tabulate(pair, {.half_spacing = paper_track.half_spacing,
+                         .end = 0.4 * units::inch,
+                         .step = 0.01 * units::inch,
+                         .average = 0.04 * units::inch});
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b, double sign) {
+  REQUIRE(a.size() == b.size());
+  double worst = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, std::abs(a[k] - sign * b[k]));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Sides exchanged are the mirror image", "[sides]") {
+  const auto a = table_of({cn_pair(), new_wheel_pair()}),
+             b = table_of({new_wheel_pair(), cn_pair()});
+  CHECK(largest_difference(a.R.values(), b.R.values(), 1) < 1e-12);
+  CHECK(largest_difference(a.even.R, b.even.R, -1) < 1e-12);
+  CHECK(largest_difference(a.even.D, b.even.D, -1) < 1e-12);
+  CHECK(largest_difference(a.even.Phi, b.even.Phi, -1) < 1e-12);
+  // The functions themselves are those of both wheels, on both sides of the centre.
+  const std::size_t middle = a.r_left.size() / 2;
+  for (const int k : {-30, -7, 0, 5, 33}) {
+    const auto at = std::size_t(int(middle) + k);
+    const auto c = a.at(k * a.R.step());
+    CHECK(c.R == Approx((a.r_left[at] - a.r_right[at]) / (2 * a.half_spacing)).margin(1e-14));
+    CHECK(c.D == Approx((a.delta_left[at] - a.delta_right[at]) / 2).margin(1e-14));
+  }
 }

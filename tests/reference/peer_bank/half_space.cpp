@@ -111,7 +111,7 @@ Normal solve_normal(const HalfSpaceCase& c, int finer) {
   contact::Convolution a(n.grid, modulus);
   n.p = VectorXd::Zero(n.grid.cells());
   const auto force_at = [&](double approach) {
-    const auto done = contact::solve_bounded_cg(a, n.grid, gap, approach, n.p, {});
+    const auto done = contact::solve_bounded_cg(a, gap, approach, n.p, {});
     if (!done.converged) throw std::runtime_error("the normal contact does not converge");
     n.approach = approach;
     return n.force = n.p.sum() * n.grid.dx * n.grid.dy;

@@ -41,7 +41,7 @@ circle='e = 1 / ((1 - 0.25 ^ 2) / 200e9 + (1 - 0.35 ^ 2) / 100e9); R = 0.4; a = 
   l = shown == "inch" ? "in" : "mm"; s = shown == "inch" ? "mil" : "um"; q = shown == "inch" ? "psi" : "MPa"; f = shown == "inch" ? "lbf" : "kN"
   is("effective_modulus_" q, e / P); is("x_touch_" l, 0); is("approach_" s, 1e6 * depth / S, 1e-3); is("force_" f, F / N, 1e-3); is("moment_x", 0); is("moment_y", 0); is("p_max_" q, p / P, 2e-3)
   is("x_p_max_" l, 0, 1e-6); is("y_p_max_" l, 0, 1e-6); is("x_min_" l, -1e3 * a / U, 0.02); is("x_max_" l, 1e3 * a / U, 0.02); is("y_min_" l, -1e3 * a / U, 0.02); is("y_max_" l, 1e3 * a / U, 0.02)
-  is("area_" l "2", pi * 1e6 * a ^ 2 / U ^ 2, 0.01); is("patches", 1); says("grid", "^63 x 65 cells, " cells " in contact"); free("iterations")
+  is("area_" l "2", pi * 1e6 * a ^ 2 / U ^ 2, 0.01); is("patches", 1); says("grid", "^63 x 65 cells, " cells " in contact"); free("iterations"); free("transform_pairs")
   is("hertz_approach_" s, 1e6 * depth / S); is("hertz_force_" f, F / N); is("hertz_p_max_" q, p / P); is("hertz_a_" l, 1e3 * a / U); is("hertz_b_" l, 1e3 * a / U)
   says(way == "load" ? "hertz_force_" f : "hertz_approach_" s, "as asked"); says(way == "load" ? "hertz_approach_" s : "hertz_force_" f, "the grid is off by")'
 bodies="--body-1-radius-along 400mm --body-2-radius-across 400mm --body-1-young 200GPa --body-1-poisson 0.25 --body-2-young 100GPa --body-2-poisson 0.35 --cells-x 63 --cells-y 65"

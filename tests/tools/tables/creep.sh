@@ -63,7 +63,7 @@ holds "nodes" nodes.csv '{for (k = 1; k <= 4; ++k) {if (rows == 1 || $k < low[k]
   $2 == 0 {near($5, 0, 1e-9)} $3 == 0 && $4 == 0 {near($6, 0, 1e-9)} sqrt($5 ^ 2 + $6 ^ 2) > 1 + 1e-6 {wrong++}
   END {near(rows, 180, 0); near(n[1], 3, 0); near(n[2], 3, 0); near(n[3], 4, 0); near(n[4], 5, 0); near(low[1], 0.5, 1e-9); near(high[1], 2, 1e-9)
     near(low[2], 0, 0); near(high[2], 2, 1e-6); near(low[3], 0, 0); near(high[3], 2, 1e-6); near(low[4], -3, 1e-6); near(high[4], 3, 1e-6)}'
-means table 'says("theory", "polach"); says("nodes", "^3 axis ratios x 3 x 4 x 5 spins"); is("reach", 2); is("spin_reach", 3); is("error_points", 40); is("against_full_points", 64)
+means table 'says("theory", "polach"); says("nodes", "^3 axis ratios x 3 x 4 x 5 spins"); is("reach", 2); is("spin_reach", 3); is("error_points", 40); is("within_bound", 40); is("against_full_points", 64)
   free("error_force_largest error_force_rms error_moment_largest error_moment_rms against_full_force_largest against_full_force_rms against_full_moment_largest against_full_moment_rms")
   if (!(v["against_full_force_largest"] > v["against_full_force_rms"] && v["against_full_force_rms"] > 0.01 && v["against_full_force_rms"] < 0.4)) bad("against full")
   if (!(v["error_force_largest"] > v["error_force_rms"] && v["error_moment_largest"] >= v["error_moment_rms"])) bad("rms"); warnings("range")'

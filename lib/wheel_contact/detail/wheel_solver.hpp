@@ -1,0 +1,31 @@
+// One wheel solved again and again, in poses close to one another.
+#pragma once
+
+#include <memory>
+
+#include <railbook/wheel_contact/wheel.hpp>
+
+namespace railbook::wheel_contact {
+
+class WheelSolver {
+ public:
+  WheelSolver(const ProfilePair& pair, const WheelInput& input);
+  ~WheelSolver();
+
+  // As solve_wheel; by the full theory the tractions start from those of the last solution. A step
+  // on the way to another pose finds the tractions to 1e-5 of the slip, where an answer has 1e-7.
+  enum class Purpose { answer, step };
+  WheelResult solve(const Pose& pose, double angular_velocity, Purpose purpose);
+  // By the full theory on the planes and cells of the last solution, with its pressures and
+  // tractions as a start: the depth, the forces and the moment, without errors and warnings.
+  // Not converged where that fails, or where the contact has come to the edge of the cells.
+  WheelResult solve_nearby(const Pose& pose, double angular_velocity);
+  // The last solution to the accuracy of an answer, with errors and warnings.
+  WheelResult refine();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace railbook::wheel_contact
