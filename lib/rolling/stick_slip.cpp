@@ -139,7 +139,7 @@ class Newton {
   // and of the sliding cells, on which the sticking ones have their influence first.
   void precondition(const VectorXd& r, VectorXd& z) const {
     z.resize(r.size());
-    VectorXd line, along(mesh_.along), across(mesh_.along);
+    VectorXd of_row(mesh_.along), along(mesh_.along), across(mesh_.along);
     auto run = runs_.begin();
     for (Index row = 0; row < mesh_.rows(); ++row) {
       const TangentialInfluence::Row& own = influence_.row(row);
@@ -156,6 +156,7 @@ class Newton {
       }
       const Sliding& s = sliding_[static_cast<std::size_t>(row)];
       if (s.cells.empty()) continue;
+      auto line = of_row.head(static_cast<Index>(s.unknowns.size()));
       line = r(s.unknowns);
       const Index count = std::max<Index>(last - first, 0);
       for (std::size_t k = 0; k < s.cells.size(); ++k) {
