@@ -9,6 +9,7 @@
 
 set terminal pngcairo size 1000,560 font "DejaVu Sans,14" enhanced background rgb "white"
 set encoding utf8
+set minussign
 set datafile separator comma
 set datafile columnheaders
 
