@@ -218,7 +218,7 @@ Cheapest cheapest(const Points& points, const std::string& quantity, double erro
   Cheapest best{"", "", std::numeric_limits<double>::infinity()}, candidate = best;
   double work = 0;  // of the candidate; within a method work tells more than noisy times
   const auto takes_less = [&](const report::WorkPrecision& p) {
-    return p.work > 0 && work > 0 ? p.work < work : p.seconds_min < candidate.seconds;
+    return p.work > 0 && work > 0 ? p.work < work : p.seconds_median < candidate.seconds;
   };
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const report::WorkPrecision& p = chosen[i];
@@ -227,7 +227,7 @@ Cheapest cheapest(const Points& points, const std::string& quantity, double erro
     if (!good)
       candidate.method.clear();
     else if (candidate.method.empty() || takes_less(p))
-      candidate = {p.method, p.setting, p.seconds_min}, work = p.work;
+      candidate = {p.method, p.setting, p.seconds_median}, work = p.work;
     const bool last = i + 1 == chosen.size() || chosen[i + 1].method != p.method;
     if (last && !candidate.method.empty() && candidate.seconds < best.seconds) best = candidate;
   }

@@ -126,7 +126,7 @@ double observed_slope(const std::vector<report::WorkPrecision>& points, const st
 
 // The method and setting that takes least time to an error that each later setting of the method
 // keeps, too; empty when none does. The reference's uncertainty is added to each error. Settings of
-// a method are compared by their work, methods by the fastest of their runs.
+// a method are compared by their work, methods by the medians that the table prints.
 struct Cheapest {
   std::string method, setting;
   double seconds = 0;

@@ -5,9 +5,8 @@
 The curves of the best method stand at the lower left of a panel. The first sentence above each
 panel names the fastest method for each of three errors. A setting counts only if its error plus the
 uncertainty of the reference is below the wanted error, and so for all finer settings. Of a method
-the setting with the least work is named, and methods are compared by the fastest of their runs: the
-medians in the panels are disturbed by whatever else the computer did, which is why some curves fold
-back.
+the setting with the least work is named, and methods are compared by their median times, which the
+tables print. Other work of the computer disturbs the times; therefore some curves fold back.
 
 {{include: cost.cpp}}
 

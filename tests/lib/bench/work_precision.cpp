@@ -88,7 +88,7 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
     p.setting = setting;
     p.error = error;
     p.reference_uncertainty = 1e-9;
-    p.seconds_min = seconds;
+    p.seconds_median = seconds;
     return p;
   };
   // The lucky first setting of a does not count, since the next one is worse again.
