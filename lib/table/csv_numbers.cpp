@@ -68,7 +68,7 @@ const char* short_decimal(const char* at, char mark, double& value) {
 // Any finite number; what follows it, or nothing. `mark` is its decimal point or comma.
 const char* long_number(const char* at, const char* end, char mark, double& value) {
   if (*at == '+' && at[1] != '-') ++at;
-  std::array<char, 64> text;  // with a point
+  std::array<char, 64> text{};  // with a point
   const char* from = at;
   if (mark != '.') {
     if (end - at > std::ssize(text)) return nullptr;
