@@ -196,10 +196,12 @@ local function other_table(checks)
   local rows = {}
   for i, check in ipairs(checks) do
     local off, allowed = check_tables.difference(check)
+    local expected = check_tables.expected(check, false)
+    if allowed == "at most" or allowed == "at least" then expected, allowed = "–", allowed .. " " .. expected end
     local mark = marks[check_tables.proof(check)]
     rows[i] = {
       html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. check_tables.unit(check),
-      check_tables.cell(check_tables.expected(check, false), "number reference"), check_tables.cell(check_tables.computed(check)), {off, class = "number"},
+      check_tables.cell(expected, "number reference"), check_tables.cell(check_tables.computed(check)), {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       check_tables.outcome(check), class = not check.pass and "failed" or nil}
   end
@@ -214,7 +216,7 @@ local function summary(checks)
     or passed == total and ("%d checks, all passed"):format(total) or ("%d of %d checks passed"):format(passed, total)
   if closest and total > 1 then
     local used = 100 * record.used(closest)
-    text = text .. ("; the closest, %s, uses %s of its tolerance"):format(html.text(closest.what or closest.id),
+    text = text .. ("; nearest to its limit is “%s” (%s of the tolerance)"):format(html.text(closest.what or closest.id),
       used < 1 and "less than 1 %" or ("%.0f %%"):format(used))
   end
   return text

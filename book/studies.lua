@@ -32,7 +32,9 @@ local function study(id, list, several)
   for _, quantity in ipairs(quantities) do
     heads[#heads + 1] = quantity == "" and "error" or "error of " .. quantity
   end
-  for _, head in ipairs({"median", "quartiles", "work", "outcome"}) do heads[#heads + 1] = head end
+  local failures = false
+  for _, run in ipairs(runs) do failures = failures or run.outcome ~= "converged" end
+  for _, head in ipairs({"median time", "quartiles of time", "work", failures and "outcome" or nil}) do heads[#heads + 1] = head end
   for _, w in ipairs(list) do uncertainty = math.max(uncertainty, w.reference_uncertainty or 0) end
   for i, run in ipairs(runs) do
     local w, failed = run.first, run.outcome ~= "converged"
@@ -46,7 +48,7 @@ local function study(id, list, several)
     for _, text in ipairs({html.seconds(w.seconds_median), quartiles, html.count(w.work) .. unit}) do
       row[#row + 1] = {text, class = "number"}
     end
-    row[#row + 1] = html.text(run.outcome)
+    if failures then row[#row + 1] = html.text(run.outcome) end
     row.class = failed and "failed" or i > 1 and runs[i - 1].first.method ~= w.method and "first" or nil
     rows[i] = row
   end
@@ -76,7 +78,8 @@ function studies.stability(list)
     local number = function(x) return type(x) == "number" and html.number(("%.2g"):format(x)) or "–" end
     local error, bound = number(s.error), number(s.allowed)
     rows[i] = {
-      html.tag("span", {id = "stability/" .. s.id}, html.text(s.case)), html.text(s.stress), html.text(s.result),
+      html.tag("span", {id = "stability/" .. s.id}, html.text(s.case)), html.text(s.stress),
+      html.text(s.result) .. ((s.reference or "") ~= "" and html.tag("span", {class = "place"}, "reference: " .. html.text(s.reference)) or ""),
       {error, class = "number"}, {bound, class = "number"}, {html.badge(s.pass and s.found or "failed"), class = "outcome"}}
   end
   return html.folded_table("stability cards", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows, most_rows, "cases")

@@ -52,6 +52,8 @@ spreads the load over more soil: 14 in of it instead of 12 give {{deeper}} more 
 pyramids of neighbouring ties meet, here at {{overlap}} of ballast, the model counts the stone and
 the soil of their overlap twice, and is too stiff.
 */
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include <railbook/num/quadrature.hpp>
@@ -158,8 +160,12 @@ void chain_table(report::Item& item) {
   item.add_row("rail seat", "(4)", chain.seat / lb_per_in, "lbf/in");
   item.add_row("foundation modulus K", "(3): ties 19.5 in apart, assumed",
                chain.foundation_modulus / units::psi, "psi");
-  item.add_row("under one wheel K_r", "(2): 132RE, assumed", beam.point_stiffness() / lb_per_in,
-               "lbf/in");
+  const auto& rail = typical_rail();
+  item.add_row("under one wheel K_r",
+               fmt::format("(2): 132RE, assumed; E = {:.0f}×10⁶ psi, I = {:.1f} in⁴",
+                           rail.bending_stiffness() / rail.second_moment / units::psi / 1e6,
+                           rail.second_moment / std::pow(units::inch, 4)),
+               beam.point_stiffness() / lb_per_in, "lbf/in");
   item.expect_checks(2);
   const double slices = ballast_by_slices(support) / 1e6;
   item.agree("ballast", "ballast pyramid k_b, (6) rearranged", "MN/m", chain.ballast / 1e6, slices,

@@ -63,7 +63,7 @@ set label "rail surface z, dip at a joint" at 2.25,4.75 center
 set arrow from 0.6,3.4 to 3.9,3.4 heads lw 2 lc rgb red
 set label "each load also moves the rail" at 2.25,3.65 center tc rgb red
 set label "under the other wheel, by a(b)" at 2.25,3.12 center tc rgb red
-set label "pads and ties" at 2.25,2.7 center
+set label "rail on its ties" at 2.25,2.7 center
 set label "ballast and subgrade" at 2.25,1.2 center
 set label "Hertz contact" at -1.35,4.1 center
 set label "F = C_H x@_+^{3/2}" at -1.35,3.85 center

@@ -95,12 +95,13 @@ copy has the legends of the paper's Figure 6, but not its curves. They name a sp
 level for an idealized track of class 6 (the US classes rise with the speed permitted, up to 6), and
 the ranges of data measured on a high-speed demonstration track and on British Rail. In its place we
 show a family of curves for the classes of the Federal Railroad Administration from the later
-literature (quoted by Frýba),
+literature,
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with the wavenumber $\phi$ in cycles per length, and its roughness $A$ and break frequencies
-$\phi_1$, $\phi_2$ for class 6 and class 3. The marks at the top of {{fig-06}} show at which
+with the wavenumber $\phi$ in cycles per length, the roughness $A$ of {{rough-6}} for class 6 and
+{{rough-3}} for class 3, and the break frequencies $\phi_1$ = {{break-1}} and $\phi_2$ =
+{{break-2}}. The marks at the top of {{fig-06}} show at which
 wavenumbers half-staggered 39-foot rails add power of their own, not how much. The height of the
 curves is doubtful: other published lists of the same family have roughness constants $A$ about
 {{feet-squared}} times as large, and so amplitudes {{feet}} times as large. This factor is
@@ -143,6 +144,10 @@ void cross_level(report::Item& item) {
   auto& joints = item.data("joints", {"cycles_per_ft", "harmonic"});
   for (int n = 1; n <= 7; n += 2) joints.add(n / 39.0, n);
   item.lost("the paper's curve and measured bands are not in the text: a later published family");
+  item.value("rough-6", fmt::format("{:.2f}×10⁻⁸ m", class_6.roughness * 1e8));
+  item.value("rough-3", fmt::format("{:.2f}×10⁻⁸ m", class_3.roughness * 1e8));
+  item.value("break-1", fmt::format("{:.4f} cycle/m", class_6.low_break));
+  item.value("break-2", fmt::format("{:.3f} cycle/m", class_6.high_break));
   const double feet = 1 / units::foot;
   item.value("feet-squared", feet * feet, "", "{:.1f}");
   item.value("feet", feet, "", "{:.1f}");

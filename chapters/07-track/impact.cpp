@@ -10,7 +10,8 @@ wheel and the approach $x_0$ at rest,
 $$m_w\ddot y_w=P_0-F,\qquad F=C_Hx_+^{3/2},\qquad x_+=\max(x_0+y_w-y_r-z,\,0),$$
 
 where $z$ is the surface of the rail, counted downwards. The wheel has a radius of 18 in and the
-rail's crown one of 10 in. Below the contact are the masses of (16) and (19) with the equations of
+rail's crown one of 10 in, so that $C_H$ = {{hertz}}, and the contact's stiffness under the static
+load, $k_H$, is {{contact-k}}. Below the contact are the masses of (16) and (19) with the equations of
 motion above, on which $F-P_0$ acts. The two springs in series have the stiffness $K_r$ of the
 track; with $k_{pt}$ for pad and tie in series,
 
@@ -22,7 +23,8 @@ The function `rail_on_bed` makes masses, springs and dampers of the data of a tr
 
 The wheel load of 122.3 kN, the unsprung mass $m_w$ of 650 kg and the damping ratios ($\zeta$ = 0.05
 between rail and tie, 0.2 between tie and ground) are assumed; the paper's own results for this
-model are lost. The model has three natural frequencies, {{f-1}} (wheel and track on the ground),
+model are lost. With the masses of {{masses}} this gives $K_1$ = {{k-upper}}, $K_g$ = {{k-ground}},
+$C_1$ = {{c-upper}} and $C_g$ = {{c-ground}}. The model has three natural frequencies, {{f-1}} (wheel and track on the ground),
 {{f-2}} (rail on its ties) and {{f-3}} (rail against wheel in the contact).
 
 {{fig-joint}}
@@ -48,17 +50,21 @@ largest force, at {{second-at}}, is neither of the two. We define four peaks:
 
 {{joint-peaks}}
 
-The formulas of British practice are simpler: $P_1=P_0+2\psi V\sqrt{k_HM_{rail}/(1+M_{rail}/m_w)}$,
-with the angle $2\psi$ of the dip and the contact stiffness $k_H$, and a companion for P2 that uses
-$m_w$, the track's mass, stiffness and damping (`dip_formula`). They come within {{p1-formula}} and
+The formulas of British practice are simpler: $P_1=P_0+2\psi V\sqrt{k_HM_{rail}/(1+M_{rail}/m_w)}$
+and $P_2=P_0+2\psi Vm_w\sqrt{K_r/M}\,(1-\pi C_g/4\sqrt{K_rM})$ with the angle $2\psi=2\pi D/L$ of
+the dip and the mass $M=m_w+M_{rail}+m_t$ of wheel and track. They come within {{p1-formula}} and
 {{p2-formula}} of these P1 and P2. But most of each force is the static load: of what the joint adds
 to it, the formulas miss up to {{p1-added}} for P1 and {{p2-added}} for P2.
 
-The paper says that one mass "is not sufficient to simulate wheel/rail impact". With all of the
-track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}. With two masses,
-the mass of tie and ballast, which the two rules (18) leave uncertain, hardly matters: half or twice
-this mass changes P1 by {{bed-p1}}.
+The paper says that one mass "is not sufficient to simulate wheel/rail impact". We can compare its
+two models with each other, not with a track. With all of the track in one mass, that of (15) with
+tie and ballast, P1 would be {{single-p1}}, and P2, over the same time, {{single-p2}} instead of
+{{double-p2}}: the joint adds {{single-added-p1}} as much to P1 and {{single-added-p2}} as much to
+P2. With two masses, the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
+matters: half or twice this mass changes P1 by {{bed-p1}}.
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,12 +88,12 @@ ImpactHistory passage(const ImpactModel& model, double mph, double dip_in) {
                   {.tolerance = 1e-10, .start = default_start(rail)});
 }
 
-// The whole track as one mass on K_r: the upper layer carries it, the lower one is as good as the
-// ground.
+// The whole track as one mass on K_r, that of (15): the upper layer carries it, the lower one is as
+// good as the ground.
 ImpactModel single_mass_model(const ImpactModel& two) {
-  const RailOnBed& t = two.track;
   ImpactModel one = two;
-  one.track.rail_mass = t.rail_mass + t.bed_mass;
+  one.track.rail_mass =
+      effective_mass(typical_rail().mass_per_length, typical_beam().beta()) + two.track.bed_mass;
   one.track.rail_stiffness = typical_beam().point_stiffness();
   one.track.rail_damping = viscous_damping(0.2, one.track.rail_stiffness, one.track.rail_mass);
   one.track.bed_stiffness = 1e4 * one.track.rail_stiffness;
@@ -179,11 +185,28 @@ void fig_joint(report::Item& item) {
   more.track.rail_damping *= 6;  // zeta 0.3
   const ImpactHistory quiet = passage(more, 60, 0.5);
   for (double t = -0.004; t < 0.0201; t += 2e-5) damped.add(1e3 * t, quiet.force(t) / kN);
-  const double single = first_peak(single_mass_model(model), 60, 0.5);
-  item.claims({{"single-mass", {single / kN, p.first.force / kN}, single_mass_trial(item)}});
+  const ImpactPeaks single =
+      impact_peaks(passage(single_mass_model(model), 60, 0.5), {.mean_window = p.mean_window});
+  item.claims(
+      {{"single-mass",
+        {single.first.force / kN, p.first.force / kN, single.mean.force / kN, p.mean.force / kN},
+        single_mass_trial(item)}});
   item.value("bed-p1", bed_influence(p.first.force) / kN, "kN", "{:.1g}");
-  report::values(item, "kN", "{:.0f}", "single-p1", single / kN, "joint-first", p.first.force / kN,
-                 "joint-second", p.second.force / kN, "joint-static", model.static_load / kN);
+  report::values(item, "kN", "{:.0f}", "single-p1", single.first.force / kN, "single-p2",
+                 single.mean.force / kN, "double-p2", p.mean.force / kN, "joint-first",
+                 p.first.force / kN, "joint-second", p.second.force / kN, "joint-static",
+                 model.static_load / kN);
+  const auto added = [&](const ForceExtremum& one, const ForceExtremum& two) {
+    return (one.force - model.static_load) / (two.force - model.static_load);
+  };
+  report::values(item, "times", "{:.1f}", "single-added-p1", added(single.first, p.first),
+                 "single-added-p2", added(single.mean, p.mean));
+  item.value("hertz", fmt::format("{:.1f}×10¹⁰ N/m^1.5", model.hertz_constant / 1e10));
+  item.value("contact-k", contact_stiffness(model) / 1e9, "GN/m", "{:.1f}");
+  report::values(item, "MN/m", "{:.1f}", "k-upper", model.track.rail_stiffness / 1e6, "k-ground",
+                 model.track.bed_stiffness / 1e6);
+  report::values(item, "kN·s/m", "{:.1f}", "c-upper", model.track.rail_damping / 1e3, "c-ground",
+                 model.track.bed_damping / 1e3);
 
   const Eigen::Vector3d f = natural_frequencies(model);
   report::values(item, "Hz", "{:.1f}", "f-1", f[0], "f-2", f[1], "f-3", f[2]);

@@ -48,8 +48,8 @@ the error is to be counted. For the free joint (8) errs by {{free-error-size}} o
 by {{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much
 better. For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the
 root mean square. Leaving the joint out ($K_j=K_r$) errs by {{hinge-out-rms}} in the root mean
-square, which is more; but on {{hinge-worse}} of the distance up to $\xi=2$ it is nearer to the
-curve than (8). A factor of {{hinge-factor}} suits the pinned joint better, but no monotone formula
+square, which is more; but on {{hinge-worse}} of the distance up to $\xi=2$ the curve is nearer to
+$K_r$ than to (8). A factor of {{hinge-factor}} suits the pinned joint better, but no monotone formula
 can follow its second dip.
 
 ::: {.fold summary="A joint in good condition"}

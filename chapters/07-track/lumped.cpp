@@ -8,7 +8,11 @@ truck, that is two wheels, and "Deflections of the rail under each wheel are inf
 the adjacent wheels". {{fig-04}} is drawn after these words; {{two-wheels}} tests what two wheels do
 to each other.
 
+::: {.fold summary="The model with two wheels, as a figure"}
+
 {{fig-04}}
+
+:::
 
 An instrument at a fixed point beside the track sees wheels come and go. For it the paper takes the
 same lumped model,
@@ -133,11 +137,13 @@ void trackside_peaks(report::Item& item) {
   item.columns({{"θ", "{:.4f}"},
                 {"moving load on the beam", "{:.6f}"},
                 {"lumped, μ = 3/4", "{:.6f}"},
-                {"lumped, μ = 3/4, ζ = 0.2", "{:.6f}"},
-                {"lumped, μ = 1/4", "{:.6f}"}});
+                {"lumped, μ = 1/4", "{:.6f}"},
+                {"beam, ζ = 0.2", "{:.6f}"},
+                {"lumped, μ = 3/4, ζ = 0.2", "{:.6f}"}});
   for (const double theta : {100.0 / 1100, 160.0 / 1100, 250.0 / 1100, 0.5})
     item.add_row(theta, undamped_amplification(theta), trackside_peak(theta, 0.75, 0).y,
-                 trackside_peak(theta, 0.75, 0.2).y, trackside_peak(theta, 0.25, 0).y);
+                 trackside_peak(theta, 0.25, 0).y, moving_load(theta, 0.2).maximum().y,
+                 trackside_peak(theta, 0.75, 0.2).y);
   item.expect_checks(2);
   for (const double mu : {0.75, 0.25})
     item.agree(fmt::format("growth-{}", mu), fmt::format("growth of the peak, μ = {}", mu), "",
@@ -153,7 +159,7 @@ $$M_r=\frac{3\rho}{2\beta}, \tag{15}$$
 
 with the mass $\rho$ per length of rail, half the ties, and ballast. It has been "derived from the
 first natural frequency of a beam", says the paper. An endless beam has no separate natural
-frequencies; its lowest is $\sqrt{K/\rho}$, above which waves travel. The mass (15) follows from
+frequencies; the lowest frequency at which waves travel along it is $\sqrt{K/\rho}$. The mass (15) follows from
 Rayleigh's estimate of it, which assumes a shape and equates the largest kinetic and elastic
 energies. Let $\omega_R$ be the estimate with the static shape $a$. Then $K_r/\omega_R^2=\rho\int
 a^2dX=3\rho/2\beta$, since $\int a^2\,d(\beta X)=\frac32$ over the line. The estimate is an upper
@@ -250,13 +256,15 @@ void masses_table(report::Item& item) {
   item.rebuilt("the paper gives the formulas; the data and N in (18) are assumed");
   const auto m = typical_masses();
   item.columns({"mass", "from", "value"});
-  item.add_row("rail on the whole track", "(15) with the rail alone: 132RE, assumed",
+  item.add_row("rail on the whole track",
+               fmt::format("(15) with the rail alone: 132RE, {:.1f} lb/yd, assumed",
+                           typical_rail().mass_per_length / (units::pound / units::yard)),
                both_units(m.rail_only));
-  item.add_row("rail on its ties", "(16), (17)", both_units(m.rail));
+  item.add_row("rail on its ties, M_rail for the blow", "(16), (17)", both_units(m.rail));
   item.add_row("rail and half a tie",
                "0.4 times (15) with rail and half a tie: British practice for impact, a footnote",
                both_units(m.british));
-  item.add_row("tie and ballast",
+  item.add_row("tie and ballast, m_t for the blow",
                "(18), (19), N = 6: tie 200 lb, A_t = 270 in², 0.0579 lbf/in³, C_m = 1, all assumed",
                both_units(m.bed_pyramid));
   item.add_row("tie and ballast", "the same, N = 4", both_units(m.bed_wedge));

@@ -18,9 +18,9 @@ ms after the joint, when wheel and track go down together.
 
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper says that up to 150 mph a
-   model without waves will do. On a typical track leaving the waves out makes the deflection under
-   the load {{error-at-150-ballast}} too small. We agree, if up to 5 % is good enough: with one
-   datum of the track unfavourable it is {{error-150-single}} at most, with all of them
+   model without waves will do. On a typical track such a model misses {{error-at-150-ballast}} of
+   the static deflection under the load. We agree, if up to 5 % is good enough: with one datum of
+   the track unfavourable it is {{error-150-single}} at most, but with all of them
    {{error-150-worst}}.
    {{outcome:critical-speed/conclusion}} The paper also prints two numbers: about 1100 mph for the
    critical velocity of "the rail-tie-ballast type structure", at which free waves of the track keep
@@ -54,7 +54,7 @@ ranges and claims. This page computes every claim that can be computed, and says
 true. Figures and tables for which we had to choose data are marked as rebuilt. Our copy is
 machine-read text (OCR), without its drawings; where a figure here stands for one of the paper's, it
 was made from the words. Where a track is needed we take a *typical track* of our own, whose data
-stand in {{chain}}.
+stand in {{chain}} and {{masses}}.
 
 Units are the paper's: inches, pounds-force (lbf; 1000 lbf are 1 kip) and lbf/in, with forces over a
 joint in kN. The wheel load of 27.5 kip is 122.3 kN.
@@ -76,6 +76,8 @@ joint in kN. The wheel load of 27.5 kip is 122.3 kN.
 {{include: two_wheels.cpp}}
 
 ## Deviations
+
+Here stands where the paper's numbers need care, also where we call them consistent.
 
 * **A critical velocity of about 1100 mph** is not testable: the data behind it are not printed.
   With the mass of rail, tie and ballast it is {{v-ballast}} on the typical track and {{v-range}} as
@@ -99,7 +101,7 @@ Figures 6 and 7, and all results after the section on geometry.
 The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip (27
 500 lbf) on the typical track the bed would have to pull with {{uplift-pull}} at most, while rail
 and half a tie weigh {{uplift-weight}}: ties lift a little, which hardly changes the deflection
-under the wheel (*lifting-ties* on the study page). The rail's own shear deformation is left out,
+under the wheel (*ties that lift* on the [second page](07-track-study.html)). The rail's own shear deformation is left out,
 and so is the coupling of the two rails through the tie. The pyramid of (6) is valid while those of
 neighbouring ties do not meet. The data of any real track are known to a few percent at best.
 
@@ -135,7 +137,7 @@ $ railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 14i
 ```
 
 `railbook track joint` runs a wheel over a joint, given by its dip or its angle, or over a measured
-surface (`--profile`):
+surface (`--profile`, sampled closely: at 50 mm the corner of a joint is lost):
 
 ```console
 $ railbook track joint --speed 60mph --dip 0.5in
@@ -187,9 +189,8 @@ $ railbook track joint --speed 60mph --dip 0.5in --bed-damping "19kN*s/m"
 ```
 
 **What does the mass of the wheel do?** Halve it. P1 hardly changes: during the first blow the wheel
-stands still, and only the rail moves. What P2 adds to the static load falls by more than half, but
-the comparison is rough, since the middle frequency changes and with it the time over which the mean
-is taken (5.53 instead of 6.14 ms):
+stands still, and only the rail moves. P2 is no peak any more: the mean is largest where it begins,
+half of its 5.53 ms after the joint:
 
 ```console
 $ railbook track joint --speed 60mph --dip 0.5in --wheel-mass 325kg
@@ -218,7 +219,8 @@ is not in the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. 
 Morland and D. Lyon, *The effect of track and vehicle parameters on wheel/rail vertical dynamic
 forces*, *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of
 P1 and P2; M. Hetényi, *Beams on Elastic Foundation*, 1946, which the paper cites, and L. Frýba,
-*Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
+*Dynamics of Railway Bridges*, 1996, to which later works ascribe the spectrum of {{fig-06}} (both
+books not looked up).
 
 :::
 */

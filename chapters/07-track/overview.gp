@@ -1,4 +1,4 @@
-# alt: Three panels. Left: a wheel rolls along a rail towards a joint; the rail lies on pads, ties, ballast and the ground. Middle: the same as a chain of masses and springs, wheel, contact, rail, pads and ties, tie with ballast, ground. Right: the force between wheel and rail in the milliseconds after the joint, with the sharp peak P1, ripples, and the slow maximum of its running mean, P2.
+# alt: Three panels. Left: a wheel rolls along a rail towards a joint; the rail lies on ties, ballast and the ground. Middle: the same as a chain of masses and springs, wheel, contact, rail on its ties, tie with ballast, ground. Right: the force between wheel and rail in the milliseconds after the joint, with the sharp peak P1, ripples, and the slow maximum of its running mean, P2.
 load "style.gp"
 set terminal pngcairo size 1100,560 font "DejaVu Sans,13" enhanced background rgb "white"
 set output ARG2
@@ -19,7 +19,7 @@ set lmargin at screen 0.005
 set rmargin at screen 0.395
 set tmargin at screen 0.93
 set bmargin at screen 0.03
-set title "{/:Bold Wheel, rail, pad, tie, bed}" offset 0,-0.4
+set title "{/:Bold Wheel, rail, tie, bed}" offset 0,-0.4
 set xrange [-40:40]
 set yrange [-42:52]
 surface(x) = -1.8 * exp(-abs(x) / 14)
@@ -28,8 +28,7 @@ set object 2 polygon from -40,-27 to 40,-27 to 40,-13 to -40,-13 to -40,-27 fc r
 do for [i=0:3] {
   x = -29.25 + 19.5 * i
   set object 10+i polygon from x-4.5,-15 to x+4.5,-15 to x+8.9,-27 to x-8.9,-27 to x-4.5,-15 fc rgb "#BDBDBD" fs solid noborder
-  set object 20+i rectangle from x-4.5,-15.6 to x+4.5,-8.6 fc rgb "#B5835A" fs solid noborder
-  set object 30+i rectangle from x-3,-8.6 to x+3,-7.6 fc rgb black fs solid noborder
+  set object 20+i rectangle from x-4.5,-15.6 to x+4.5,-7.3 fc rgb "#B5835A" fs solid noborder
 }
 set object 40 circle at -15,18-0.6 size 18 fc rgb sky fs solid 0.35 border lc rgb blue
 set arrow 1 from -15,51 to -15,19 filled lw 3 lc rgb red size 2,20
@@ -43,8 +42,6 @@ set arrow 5 from 29,5.4 to 1,-1.4 lw 1.2 lc rgb black size 1.5,20 filled
 set label 5 "joint" at 29.6,6.2
 set label 6 "rail" at 26,-4.2 center tc rgb "#FFFFFF" front
 set label 7 "tie" at 9.75,-12.1 center tc rgb "#FFFFFF" front
-set label 8 "pad" at 19.5,-10.9 center
-set arrow 8 from 22.3,-10 to 26.2,-8.2 lw 1 lc rgb black nohead front
 set label 9 "ballast" at 0,-20.5 center
 set label 10 "ground (subgrade)" at 0,-34 center
 plot "+" using 1:(surface($1)):(surface($1)-7.1) with filledcurves lc rgb "#707070", \
@@ -99,7 +96,7 @@ set label 9 "{/:Italic C_g}" at 8,-27
 set label 10 "wheel" at 10,17 tc rgb blue
 set label 11 "contact" at 3,7.5 tc rgb blue
 set label 12 "rail" at 10,0.4 tc rgb blue
-set label 13 "pads,\nties" at 13,-7.2 tc rgb blue
+set label 13 "rail on\nits ties" at 12.5,-7.2 tc rgb blue
 set label 14 "tie and\nballast" at 10,-16 tc rgb blue
 set label 15 "bed" at 13.5,-27 tc rgb blue
 plot NaN notitle

@@ -17,8 +17,8 @@ motion more than at rest:
 :::
 
 In the lumped model we use the coupling at rest: the force of each wheel acts on its own rail mass,
-and the fraction $a(b)$ of it acts on that of the other wheel. In a truck of 70 inches at 60 mph
-over a dip of 0.5 in, the blow to the leading wheel then moves the rail below the trailing wheel by
+and the fraction $a(b)$ of it acts on that of the other wheel. In a truck of 70 inches, a common one,
+at 60 mph over a dip of 0.5 in, the blow to the leading wheel then moves the rail below the trailing wheel by
 up to {{neighbour-rail}}. The trailing wheel hardly acts back: P1 and P2 of the leading wheel,
 defined above, change by {{neighbour-p1}} and {{neighbour-p2}}. With {{strong-share}} in place of
 $a(b)$, the coupling at 60 Hz and about the largest that the table has at 70 in, they change by

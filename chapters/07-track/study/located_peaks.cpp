@@ -1,7 +1,6 @@
 /***
 The reference is another of GSL's integrators, the extrapolation method of Bader and Deuflhard, at
-its tightest, with both peaks located on its own motion. It uses the same equations of motion as the
-methods it judges, and starts its search for the peaks from the same instants.
+its tightest. It uses the same equations of motion as the methods that it judges.
 */
 #include <array>
 #include <cmath>

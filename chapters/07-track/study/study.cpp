@@ -9,10 +9,10 @@
 
 ## Stability
 
-Where do the models and the solvers stop working? Each row strains one thing and says what its
-answer is held against. A row that *holds* stays within a bound that we set for a working solver;
-one that *degrades* is a case that the model leaves out, and its bound, ours too, says how large the
-error may be there.
+Where do the models and the solvers stop working? Each row strains one thing; the reference that its
+answer is compared with stands below the result. *Holds* means that the solver's error is below our
+bound. *Degrades* means that the model leaves something out: the error is what this costs, and must
+be below our bound too.
 
 {{stability}}
 
