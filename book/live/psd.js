@@ -5,8 +5,8 @@ railbookFigure("psd", {
   hint: "Press “Another stretch” a few times: one mile of the same track gives another spectrum, and sometimes another class. Then make it longer.",
   columns: 3,
   state: {
-    roughness: {unit: "in log₁₀ of m²·cycle/m", si: 1, value: -6.6, low: -8, high: -5, step: 0.05, label: "roughness A"},
-    dip: {unit: "mm", si: 1e-3, value: 8, low: 0, high: 30, step: 0.5, label: "dip B of the joints, as printed"},
+    roughness: {unit: "in log₁₀ of m²·cycle/m", si: 1, value: -6.3, low: -8, high: -5, step: 0.05, label: "roughness A"},
+    dip: {unit: "mm", si: 1e-3, value: 11, low: 0, high: 30, step: 0.5, label: "dip B of the joints, as printed"},
     scatter: {unit: "%", si: 0.01, value: 0, low: 0, high: 100, step: 5, label: "scatter of the dips"},
     length: {unit: "miles", si: 1609.344, value: 1, low: 0.5, high: 16, step: 0.5, label: "length measured"},
     seed: {unit: "", si: 1, value: 1, low: 1, high: 9999, step: 1, label: "stretch"},

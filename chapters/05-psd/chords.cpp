@@ -1,25 +1,25 @@
 /*** ## What a chord sees
 
-The class depends on the mid-chord offset, the height of the rail above the middle of a chord of the
-length $L$ = 62 ft (19 m) stretched along it. To go from the spectrum to the class one must know
-what the chord reads. For a sine of wavenumber $\varphi$ it reads $1-\cos\pi L\varphi$ times the
-amplitude.
+The class depends on the mid-chord offset, the distance between the rail and the middle of a chord
+of the length $L$ = 62 ft (19 m) stretched along it. To go from the spectrum to the class one must
+know what the chord reads. For a sine of wavenumber $\varphi$ it reads $1-\cos\pi L\varphi$ times
+the amplitude.
 
 ### Of the random part
 
-On the random part $A/\varphi^2$ the variance of the offset is
-$A\int_0^\infty(1-\cos\pi L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so
-its standard deviation is
+On the random part $A/\varphi^2$ the variance of the offset is $A\int_0^\infty(1-\cos\pi
+L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so its standard deviation is
 
 $$\sigma(L)=\pi\sqrt{\tfrac12AL}. \tag{8}$$
 
-This is the paper's (8), but for the ½ under the root, whose sign is damaged in our copy. For a
-one-sided density the integral makes it ½; for a two-sided one nothing would stand in its place.
+This is the paper's (8), but for the ½ under the root, which our copy shows as a %. For a one-sided
+density the integral makes it ½; for a two-sided one nothing would stand there. That a sign stands
+there is why we take the paper's densities as one-sided.
 
 The paper leaves the corner out, since long chords respond most below $\varphi_c$. With the corner
 the integral has a closed form in sine integrals. For the corners of Table 1, (8) is above it, on
 the safe side: by {{equation-8-least}} to {{equation-8-most}} for the 19-m chord and by up to
-{{equation-8-short}} for the 9.5-m chord.
+{{equation-8-ten}} for one of 10 m, the shortest that the paper means.
 
 ::: {.fold summary="What the corner changes, and the probabilities of three sigma"}
 
@@ -70,7 +70,7 @@ double ratio(double phi_c, double chord) {
 // By how much (8) is too high in the zones, %, because it leaves the corner out, and how many of
 // them are of another class without it.
 struct CornerLeftOut {
-  double least = units::infinity, most = 0, short_most = 0;
+  double least = units::infinity, most = 0, ten_most = 0;
   int changed = 0;
 };
 
@@ -80,7 +80,7 @@ CornerLeftOut corner_left_out(const std::vector<Zone>& all) {
     const double phi_c = zone.track.phi_c, high = 100 * (1 / ratio(phi_c, long_chord) - 1);
     found.least = std::min(found.least, high);
     found.most = std::max(found.most, high);
-    found.short_most = std::max(found.short_most, 100 * (1 / ratio(phi_c, short_chord) - 1));
+    found.ten_most = std::max(found.ten_most, 100 * (1 / ratio(phi_c, 10) - 1));
     spectra::ClassRule rule{.chord = 19.0};
     const int without = spectra::classify(zone.track.A, zone.track.B, rule).track_class;
     rule.alpha *= ratio(phi_c, rule.chord);
@@ -100,8 +100,8 @@ void equation_8(report::Item& item) {
     item.add_row(phi_c, ratio(phi_c, short_chord), ratio(phi_c, long_chord));
   const CornerLeftOut high = corner_left_out(zones(item));
   report::values(item, "%", "{:.1f}", "equation-8-least", high.least, "equation-8-most", high.most);
-  item.value("equation-8-short", high.short_most, "%", "{:.0f}");
-  item.claims({{"corner-ignored", {high.least, high.most, double(high.changed), high.short_most}}});
+  item.value("equation-8-ten", high.ten_most, "%", "{:.0f}");
+  item.claims({{"corner-ignored", {high.least, high.most, double(high.changed), high.ten_most}}});
   const table::CsvTable printed = item.printed("equations.csv");
   const auto share = [&](const char* key, double exact) {
     const report::Row row = item.row(printed, key);
@@ -114,9 +114,10 @@ void equation_8(report::Item& item) {
 
 /*** ### Of the joints
 
-With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$. {{fig-10}} shows why the
-62-ft chord reads so little of it: its ends lie in the next dips. Everywhere else the chord reads
-less. The last column of {{table-2}}, for which all positions were tried, confirms this.
+With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,b$. {{fig-10}} shows why the
+62-ft chord reads so little of it: its ends lie on the slopes towards the next joints. Everywhere
+else the chord reads less. The last column of {{table-2}}, for which all positions were tried,
+confirms this.
 
 {{fig-10}}
 
@@ -210,6 +211,9 @@ void table_2(report::Item& item) {
       {{"short-chord", {short_least, short_most}},
        {"long-chord", {long_least, long_most, long_most / long_least, short_most / short_least}}});
   report::values(item, "%", "{:.0f}", "sees-39", 100 * long_most, "sees-30", 100 * long_least);
+  // The rule counts four times the physical dip.
+  item.value("safe-39", 4 / long_most, "", "{:.1f}");
+  item.value("safe-30", 4 / long_least, "", "{:.0f}");
 }
 
 // The rectified sine about a joint, and both chords with their middle on it.

@@ -19,8 +19,9 @@ $$Q_1 = \beta\, C_1 \tag{6}$$
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
 The function `read_peak` sums what stands above the two straight lines within 0.02 cycle/m of
-$\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$. Its $\beta$ is $Q_1/C_1$,
-the width of a rectangle of the same area and height.
+$\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$. As a width it returns
+$Q_1/C_1$, that of a rectangle of the same area and height; the paper's $\beta$ is the width at half
+the height.
 
 {{code: method.cpp read_peak}}
 
@@ -29,8 +30,9 @@ the width of a rectangle of the same area and height.
 The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} shows
 synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. Where the printed
 $\beta$ is wider than the window, the joints are given random depths, with depth and correlation
-chosen so that height and width of the peak are the printed $C_1$ and $\beta$; a narrow peak comes from
-equal joints.
+chosen so that height and width of the peak are the printed $C_1$ and $\beta$; they scatter by ten
+times their mean, so that nearly half of the joints are humps. A narrow peak comes from equal
+joints.
 
 {{fig-08}}
 
@@ -47,7 +49,8 @@ The power is the area under the peak. Equation (6) takes that of a rectangle, as
 and as wide as the peak is at half its height ({{fig-09}}). A peak of the shape of a resonance curve
 has {{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where
 $\beta$ is wide, the random depths of the joints also lift the spectrum between the peaks. The
-regression takes this for roughness, and $A$ comes out high.
+regression takes this for roughness, and $A$ comes out high, in zone 12 ({{fig-08}}) by
+{{lifted-12}}.
 
 {{fig-09}}
 
@@ -62,14 +65,16 @@ as much about the window as about the track.
 
 {{resolution}}
 
-The product of $C_1$ and $\beta$ does not depend on the segment: it is the power of the line, the
-same in every row.
+The area $Q_1$ of the peak does not depend on the segment. The product $\beta C_1$ of (6) is
+{{resolution-least}} to {{resolution-most}} of it.
 
 :::
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <railbook/spectra/joint_dips.hpp>
 #include <railbook/spectra/spectrum_fit.hpp>
@@ -157,6 +162,9 @@ void fig_08(report::Item& item) {
       "and (d) show no ballast memory, of which the paper's are examples");
   report::values(item, "", "{:.3f}", "beta-2", zones(item).at(1).beta, "beta-11",
                  zones(item).at(10).beta, "epsilon-off", eps);
+  for (const ZoneSpectrum& r : readings(item))
+    if (r.zone.name == "12")
+      item.value("lifted-12", 100 * (r.fit.A.value / r.zone.track.A - 1), "%", "{:.0f}");
 }
 
 // Equal joints, no roughness.
@@ -169,13 +177,16 @@ void table_resolution(report::Item& item) {
                 {"bin, cycle/m", "{:.5f}"},
                 {"width at half height, cycle/m", "{:.4f}"},
                 {"Q₁/C₁, cycle/m", "{:.4f}"},
-                {"C₁ of zone 7", "{:.2e}"}});
+                {"C₁ of zone 7, m²/(cycle/m)", "{:.2e}"},
+                {"Q₁, m²", "{:.2e}"}});
+  std::vector<double> of_area;  // height times width at half height, over the area
   for (const std::size_t segment : {256U, 512U, 4096U}) {
     spectra::SyntheticTrack joints = synthetic(zone.track, 1);
     joints.A = 0;
     const auto spectrum = record_spectrum(joints, 20 * km, {.segment = segment});
     const auto fit = spectra::fit_track_spectrum(spectrum);
-    item.add_row(double(segment), spectrum.df, fit.half_width, fit.beta, fit.C_1);
+    item.add_row(double(segment), spectrum.df, fit.half_width, fit.beta, fit.C_1, fit.Q_1.value);
+    of_area.push_back(fit.half_width * fit.C_1 / fit.Q_1.value);
     if (segment != paper_segment) continue;
     item.print("beta", "width of a line at half its height, 512 ft", "cycle/m", "0.010",
                fit.half_width,
@@ -184,6 +195,8 @@ void table_resolution(report::Item& item) {
     item.value("beta-512", fit.half_width, "", "{:.4f}");
     item.agree("Q1", "power under the peak", "m²", fit.Q_1.value, Q_1, 0.01, "equation (2)");
   }
+  const auto [least, most] = std::ranges::minmax(of_area);
+  report::values(item, "", "{:.2f}", "resolution-least", least, "resolution-most", most);
 }
 
 void fig_09(report::Item& item) {

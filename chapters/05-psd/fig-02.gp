@@ -12,7 +12,7 @@ set xtics 0.1
 set ylabel "line power Q_n, mm²"
 set yrange [0:10]
 unset key
-set title "(a) lines, B = 10 mm"
+set title "(a) lines, b = 10 mm"
 plot ARG4 using "phi_cycle_per_m":"Q_mm2" with impulses lt 1 lw 4, \
      ARG4 using "phi_cycle_per_m":"Q_mm2" with points lt 1
 set key top right samplen 2

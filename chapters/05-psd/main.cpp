@@ -2,8 +2,8 @@
 
 A measuring car (a *geometry car*) brings home kilometres of heights, and the railroad wants one
 answer from them: in which speed class is each stretch of track? Without a way from the record to
-the class, the railroad finds single defects only. It does not see whether a whole stretch is rough,
-or whether its joints have sunk.
+the class, it finds single defects only, and not whether a whole stretch is rough or its joints have
+sunk.
 
 ::: {#live-psd .live figure=psd}
 
@@ -14,11 +14,12 @@ or whether its joints have sunk.
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its
    spectrum at the wavenumber $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of
-   the joints from the area under this peak. Every $B$ in its Table 1 is twice the physical dip, if
-   its spectra are *one-sided*, as its equation (8) requires with the ½ that we restored in it. The
-   formula for $B$ takes half of the amplitude of a wave, as a *two-sided* spectrum has it, but
-   squares and halves it as if it were the whole amplitude. So a dip makes four times the area that
-   the formula says. {{outcome:lines/Q1-exact}}
+   the joints from the area under this peak. The formula takes half of the amplitude of a wave, as a
+   *two-sided* spectrum has it, but squares and halves it as if it were the whole amplitude. In a
+   *one-sided* spectrum a dip therefore makes four times the area that the formula says
+   ({{outcome:lines/Q1-exact}}). If the paper's spectra are one-sided, every $B$ in its Table 1 is
+   twice the physical dip; if they are two-sided, $\sqrt2$ times. The paper does not say which they
+   are; a damaged sign in its equation (8) speaks for one-sided.
 2. Does the paper's rule (10) give the classes of its Table 3? From the roughness and the dip of a
    stretch of track (a *zone*) the rule computes an offset, and compares it with the limit of each
    class. We take the coefficient $k$ of the roughness from the paper's (8) and (9), and the limits
@@ -29,11 +30,13 @@ or whether its joints have sunk.
    {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
    says that "the PSD cannot distinguish" them (PSD stands for power spectral density, the
-   spectrum). On five miles of its jointed zones a single value of it hardly can, if the depths
-   scatter by half of their mean. At $\varphi_0$ the two spectra differ by at most {{apart-line}}
-   standard errors, because the line of the mean dip hides the rest; two values away from
-   $\varphi_0$, by {{apart-least}} to {{apart-most}}. All values together differ by
-   {{together-least}} to {{together-most}}. {{outcome:five-miles/distinguish}}
+   spectrum). We count a difference of three standard errors as seen. In five miles of a jointed
+   zone, whose depths scatter by half of their mean, no single value of the spectrum differs so
+   much: at $\varphi_0$ it is at most {{apart-line}}, because the line of the mean dip hides the
+   rest, and two values beside it {{apart-least}} to {{apart-most}}. The fourteen values that lie
+   two to eight from $\varphi_0$, taken together, differ by {{together-least}} to {{together-most}},
+   so that in {{together-seen}} the whole spectrum tells the two apart.
+   {{outcome:five-miles/distinguish}}
 :::
 
 ## The paper
@@ -43,16 +46,14 @@ American track, from new rail that is welded end to end to a rough branch line. 
 they found the same pattern: a smooth random part, and a row of peaks from the joints between the
 rails. Three numbers describe it. The *roughness* $A$ (m²·cycle/m) says how high the random part
 lies, the *corner* $\varphi_c$ (cycle/m) where it starts to fall more steeply, and the *dip* $B$ (m)
-how deep the joints are. Inspectors stretch a chord of 62 ft along the rail and measure the rail's
-height above its middle, the *mid-chord offset*; the US track safety standards limit it for each
-speed class. The paper computes from $A$ and $B$ which offset to expect, and so the class.
+how deep the joints are. Inspectors stretch a chord of 62 ft along the rail and measure the distance
+between rail and chord at its middle, the *mid-chord offset*; the US track safety standards limit it
+for each speed class. The paper computes from $A$ and $B$ which offset to expect, and so the class.
 
-This page follows the paper: first the three parts of a spectrum, then how the three numbers are
-read from it, what a chord makes of them, and the class. We have the paper as machine-read text,
-without its drawings and without its measured spectra. Synthetic track, made with the printed
-numbers, stands for the measured track, and each figure is drawn from what the text and the captions
-say of it. Tables and figures with a plain number are the paper's; those of this page are numbered
-5.1 and so on.
+We have the paper as machine-read text, without its drawings and without its measured spectra.
+Synthetic track, made with the printed numbers, stands for the measured track, and each figure is
+drawn from what the text and the captions say of it. Tables and figures with a plain number are the
+paper's; those of this page are numbered 5.1 and so on.
 
 {{include: processes.cpp}}
 
@@ -71,16 +72,16 @@ say of it. Tables and figures with a plain number are the paper's; those of this
 ## Deviations
 
 * **Line power, (1), (2) and (7).** The printed powers are a quarter of those of a one-sided density
-  ({{outcome:lines/Q1-exact}}). $B$ of Table 1 is twice the physical dip if the measured densities
-  were one-sided; if they were two-sided, $\sqrt2$ times. Which they were rests on (8), whose
-  damaged ½ we restored: for two-sided densities nothing would stand there.
+  ({{outcome:lines/Q1-exact}}). If the measured densities were one-sided, which we assume for the
+  sign in (8), $B$ of Table 1 is twice the physical dip, otherwise $\sqrt2$ times.
 * **Truncated numbers.** $Q_2$ below (2) and the two probabilities of three sigma are truncated, not
   rounded ({{outcome:lines/Q2-printed}}).
 * **Table 1.** In rows 1, 3, 6 and 8 $C_1$, $\beta$ and $B$ do not fit (7) within their rounding
   ({{outcome:table-1/1-B}}). Rows 7 and 11 fit it with $B$ rounded to half a millimetre
   ({{outcome:table-1/7-B}}); in row 13 the exponents are hardly legible.
-* **Zone 12** is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}. This rests
-  on one character of our copy, and cannot be tested.
+* **Zone 12** is said to be "constructed from 10-m rail", but its $\varphi_0$ = 0.109 cycle/m is
+  that of {{zone-12-rail}}. One character of our copy decides (0.100 would be 10 m), so this cannot
+  be tested.
 * **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3). {{corner-long}} of 13
   corners lie at longer waves, and at 6 m (3) is {{six-metres-median}} times too high in the median
   ({{outcome:table-1/six-metres}}).
@@ -95,15 +96,14 @@ say of it. Tables and figures with a plain number are the paper's; those of this
   shape of a window such as Hann's ({{outcome:resolution/Q1}}). If the track itself broadens the
   peak, it is too small.
 * **"The PSD cannot distinguish"** random from grouped dips: not at a glance, nor by a single
-  ordinate on a few miles. All ordinates together, or more miles, can
-  ({{outcome:five-miles/distinguish}}).
+  ordinate on a few miles ({{outcome:five-miles/distinguish}}). All ordinates together can in
+  {{together-seen}}, and in the others with more miles.
 * **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). If each dip is
   deeper or shallower as a whole, the lower sideband has {{staircase-ratio}} times the power of the
   upper.
 
-Damage of our copy, which is machine-read text without the drawings: the square root's ½ in (8),
-confirmed by derivation; a digit of (5); the coefficient of (10); exponents of zone 13; the plot
-symbols of Figure 11.
+Damage of our copy, which is machine-read text without the drawings: the ½ under the root of (8); a
+digit of (5); the coefficient of (10); exponents of zone 13; the plot symbols of Figure 11.
 
 ## Limits
 
@@ -111,21 +111,22 @@ symbols of Figure 11.
   between both rails (crosslevel), of the line of the track or of its curvature, and it assumes that
   the stretch is of one kind from end to end. It has no phase, so it finds no single defect and
   cannot say where a joint is broken.
-* **Two slopes, one set of lines.** The model has no term for white noise of the sensor and no
-  second set of lines for old rails under the new ones.
+* **Two slopes, one set of lines.** The paper's model has no term for white noise of the sensor and
+  no second set of lines for old rails. The library has both (`--noise`, `--foreign`); the
+  [study](05-psd-study.html) says what happens without them.
 * **Rule (10) does not ask for the rail length.** The 62-ft chord sees {{sees-39}} of a dip on 39-ft
-  rail and {{sees-30}} on 30-ft rail; the rule counts both with $\gamma=2$, of the printed $B$,
-  which is twice the physical dip, and is far on the safe side for the latter.
-* **The synthetic dips are Gaussian.** From a scatter of about 0.4 of their mean on, some joints are
-  humps instead of dips. Corners below 0.002 cycle/m would need longer filters than the generator
-  has.
+  rail and {{sees-30}} on 30-ft rail. The rule counts $2B=4b$ on both: {{safe-39}} and {{safe-30}}
+  times what the chord sees, before joints that are not equally low are allowed for. With $2b$ in
+  place of $2B$, {{physical-changed}} would change class.
+* **The synthetic dips are Gaussian.** If they scatter by more than 0.4 of their mean, some joints
+  are humps: one in fifty at 0.5.
 
 ## Use it
 
 The command `railbook psd classify` reads a table with a column of positions and one of heights and
 does all steps of this page, with standard errors and the odds (here the probability) of each class.
-Here it reads 20 km of synthetic track with the numbers of zone 7. The margin is the part of the
-class limit that is left:
+Here it reads 20 km of synthetic track with the numbers of zone 7; `--dip` is the printed $B$. The
+margin is the part of the class limit that is left:
 
 ```console
 $ railbook psd synthesize track.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm
@@ -172,8 +173,8 @@ $ railbook psd classify zone-12.csv --column profile --rail 30ft
 ```
 
 **What do uneven joints do?** Let their depths scatter by half of their mean. Between the peaks the
-spectrum rises, the fit takes this for roughness, and $A$ comes out 8 % too high; the note at the
-end of the answer says what a scatter of 20 % would add:
+spectrum rises, the fit takes this for roughness, and $A$ comes out 8 % too high, four of its
+stated errors. The only warning is the note at the end:
 
 ```console
 $ railbook psd synthesize uneven.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm --scatter 0.5
@@ -183,6 +184,7 @@ $ railbook psd classify uneven.csv --column profile
 ...
   roughness A                            5.4e-07 +- 1e-08 m^2*cycle/m   (standard error)
 ...
+  note                                   dips that scatter by 20 % would add 0.9 % to A, which its error does not hold
 ```
 
 **Which rail does the track have?** Synthesise 33-ft rail and leave `--rail` out: the command finds

@@ -6,8 +6,7 @@ synthetic track with the zone's $A$, $\varphi_c$ and $B$, by the functions of th
 the record differs from the printed one in height and in width, because both depend on the analysis
 as well as on the track. Its power is {{worked-power}} above the printed one, because the track was
 made with the printed $B$ = 11 mm, which the printed height and width of the peak do not give; the
-class is the same. The library does the same with standard errors, in one pass over a record of any
-length, and for records with gaps and noise. The checks below compare the two.
+class is the same. The checks below compare the functions of this page with the library's.
 
 {{worked}}
 
@@ -165,7 +164,7 @@ void show_steps(report::Item& item, const Steps& print, const Steps& record) {
   row("", "corner φ<sub>c</sub>", "cycle/m", "{:.3f}", [](S s) { return s.track.phi_c; });
   row("peak at φ₀", "height C₁", "10⁻⁴ m²/(cycle/m)", "{:.2f}",
       [](S s) { return 1e4 * s.peak.C_1; });
-  row("", "width β", "cycle/m", "{:.4f}", [](S s) { return s.peak.beta; });
+  row("", "width β, of the record Q₁/C₁", "cycle/m", "{:.4f}", [](S s) { return s.peak.beta; });
   row("power, (6)", "Q₁ = β C₁", "mm²", "{:.2f}", [](S s) { return s.peak.Q_1 / (mm * mm); });
   row("dip, (7)", "B", "mm", "{:.1f}", [](S s) { return s.peak.B / mm; });
   row("deviation, (10)", "random part 3σ", "mm", "{:.1f}",

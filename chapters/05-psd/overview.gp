@@ -1,4 +1,4 @@
-# alt: Three panels. Top left: a row of rails that sag at their joints to a depth B, with a chord of 62 ft stretched across one joint and the offset in its middle. Bottom left: a wavy record of the rail's height over eight rail lengths, in millimetres. Right: the spectrum of such a record on logarithmic axes, falling with slope -2 up to the corner phi_c and with slope -4 beyond it, with a peak at one over the rail length.
+# alt: Three panels. Top left: a row of rails that sag at their joints to a depth b, with a chord of 62 ft stretched across one joint and the offset in its middle. Bottom left: a wavy record of the rail's height over eight rail lengths, in millimetres. Right: the spectrum of such a record on logarithmic axes, falling with slope -2 up to the corner phi_c and with slope -4 beyond it, with a peak at one over the rail length.
 load "style.gp"
 set terminal pngcairo size 1100,600 font "DejaVu Sans,13" enhanced background rgb "white"
 set output ARG2
@@ -19,7 +19,7 @@ set lmargin at screen 0.055
 set rmargin at screen 0.475
 set tmargin at screen 0.93
 set bmargin at screen 0.60
-set title "{/:Bold The rail}, its dips {/:Italic B} drawn far too deep" offset 0,-0.4
+set title "{/:Bold The rail}, its dips {/:Italic b} drawn far too deep" offset 0,-0.4
 unset border
 unset xtics
 unset ytics
@@ -33,7 +33,7 @@ set label 1 "mid-chord offset" at 2*l,-0.12 center tc rgb red
 set label 2 "chord {/:Italic L} = 62 ft (19 m)" at 9.5,1.36 center tc rgb red
 set arrow 6 from 13,1.2 to 16.5,end+0.03 lw 1.2 lc rgb red size 0.6,20 filled
 set arrow 3 from l,0 to l,1 heads filled size 0.6,20 lw 1.6 lc rgb black
-set label 3 "{/:Italic B}" at l+0.8,0.72
+set label 3 "{/:Italic b}" at l+0.8,0.72
 set arrow 4 from 0.5*l,1 to 1.5*l,1 nohead ls guide
 set arrow 5 from 2*l,1.17 to 3*l,1.17 heads filled size 0.6,20 lw 1.6 lc rgb blue
 set label 4 "rail length {/:Italic l} = 1/φ_0" at 2.5*l,1.36 center tc rgb blue
@@ -86,7 +86,7 @@ set arrow 7 from 0.27,3.5e-5 to 0.222,6.4e-6 lw 1.2 lc rgb blue size 0.01,20 fil
 set label 3 "corner φ_c" at C_max*1.03,1.7e-8 tc rgb blue
 set arrow 4 from P_max,1e-8 to P_max,U_max ls guide nohead
 set label 4 "φ_0 = 1/{/:Italic l}" at P_max*0.97,1.7e-8 right
-set label 5 "peak of height {/:Italic C}_1\nand width β:\ndip {/:Italic B} of the joints" at P_max*1.25,1.4e-3 tc rgb red
+set label 5 "peak of height {/:Italic C}_1\nand width β:\ndip {/:Italic b} of the joints" at P_max*1.25,1.4e-3 tc rgb red
 set arrow 5 from P_max*1.22,5.5e-4 to P_max*1.04,H_max*0.97 lw 1.2 lc rgb red size 0.01,20 filled
 set label 6 "2φ_0" at 2.02*P_max,3.6e-5 center
 set label 7 "3φ_0" at 3.05*P_max,7e-6 left

@@ -27,8 +27,9 @@ leaves its own mark in the spectrum.
 ### Periodic: the rectified sine
 
 Rails of length $l$ sag at their joints. The paper describes the profile along the distance $x$ as a
-rectified sine, $z=B\,|\sin(\pi x/l)|$: crests at mid rail, joints a depth $B$ below them
-({{fig-01}}), with dips of up to 7.6 cm reported.
+rectified sine, $z=b\,|\sin(\pi x/l)|$: crests at mid rail, joints a depth $b$ below them
+({{fig-01}}), with dips of up to 7.6 cm reported. The paper calls this depth $B$, but the number $B$
+that its formulas give is not the same.
 
 {{fig-01}}
 
@@ -41,23 +42,23 @@ $$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
 $$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
 **Two conventions.** The Fourier series of the profile is
-$B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$, and the
-amplitude of its cosines is twice the printed $B_n$. The printed $B_n$ is the modulus of the complex
-coefficient, which belongs to a two-sided spectrum. But (2) halves its square as if it were the
+$b|\sin\pi\varphi_0x|=\frac{2b}{\pi}-\sum_n\frac{4b}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$. With
+$B=b$, the amplitude of its cosines is twice the printed $B_n$, which is the modulus of the complex
+coefficient and belongs to a two-sided spectrum. But (2) halves its square as if it were the
 amplitude of a cosine. In a one-sided density a line therefore has four times the printed power.
 
 The sum over all lines shows this. It must be the variance of the profile,
-$B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$. The exact powers add up to
-{{line-sum-exact}} $B^2$, the printed ones to {{line-sum-printed}} $B^2$.
+$b^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $b^2$. The exact powers add up to
+{{line-sum-exact}} $b^2$, the printed ones with $B=b$ to {{line-sum-printed}} $b^2$.
 
 What this makes of the dips depends on how the paper measured its spectra, which it does not say. If
-they were one-sided, as (8) with its restored ½ requires, the paper's formula (7) gives dips twice
-as deep as they are. If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8)
-would be too small by $\sqrt2$. We take them as one-sided and keep two numbers apart: the *printed*
-$B$, which goes into (7), (10) and the tables, and the *physical dip*, which is half of it.
+they were one-sided, the paper's formula (7) gives dips twice as deep as they are, $B=2b$. If they
+were two-sided, $B$ would be $\sqrt2\,b$. We take them as one-sided, for the reason given at (8),
+and keep two numbers apart: the *printed* $B$, which goes into (7), (10) and the tables, and the
+*physical dip* $b=B/2$.
 
-Rule (10) takes the printed $B$, which follows from the measured peak by (7) whatever the
-convention, so the joints' part of it stays. The random part depends on it: if the densities were
+The convention changes neither the number $B$ that (7) makes of a peak nor the part $4B^2$ of rule
+(10). It changes what $B$ means, and the factor $k$ of the random part: if the densities were
 two-sided, $k$ would be twice as large, and zone 7 would leave its printed class ({{table-k}}).
 
 The function `line_power` of the library has both conventions. {{lines}} gives the first three lines
@@ -113,7 +114,7 @@ void lines(report::Item& item) {
   item.columns({{"n", "{:.0f}"},
                 {"wavelength, m", "{:.3f}"},
                 {"Qₙ/B² as printed in (2)", "{:.5e}"},
-                {"Qₙ/B² exact, one-sided", "{:.5e}"},
+                {"Qₙ/b² exact, one-sided", "{:.5e}"},
                 {"fraction of the variance, %", "{:.3f}"}});
   for (int n = 1; n <= 3; ++n)
     item.add_row(double(n), rail / n, as_printed(n), exact(n), 100 * exact(n) / variance);
@@ -121,8 +122,8 @@ void lines(report::Item& item) {
   item.row(printed, "Q1").print("printed", as_printed(1));
   const report::Row row = item.row(printed, "Q2");
   row.print("printed", as_printed(2), truncated(row.printed("printed")));
-  item.agree("Q1-exact", "exact line 1", "B²", exact(1), line_power_by_transform(1), 1e-6,
-             "a transform of the sampled profile");
+  item.agree("Q1-exact", "exact line 1, one-sided", "b²", exact(1), line_power_by_transform(1),
+             1e-6, "a transform of the sampled profile");
   double sum_printed = 0, sum_exact = 0;
   for (int n = 1; n <= 2000; ++n) sum_printed += as_printed(n), sum_exact += exact(n);
   report::values(item, "", "{:.6f}", "line-variance", variance, "line-sum-exact", sum_exact,

@@ -11,10 +11,9 @@ columns; we use them as printed.
 {{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. If every last digit were equally likely,
 this would happen in one of {{ends-half-chance}} tables, so the authors seem to have rounded $B$
 often to half a millimetre. With this rounding the dips of zones 7 and 11 fit (7). Four zones do
-not: in zones 1, 3, 6 and 8 the printed $B$ is {{table-1-least}} to {{table-1-most}} above what
-$C_1$ and $\beta$ give. The print cannot tell which of the three numbers is off, and the verdict
-rests on the digits as our copy has them. The last column but one gives the $C_1$ that the printed
-$B$ would need.
+not: in zones 1, 3, 6 and 8 (7) gives {{table-1-least}} to {{table-1-most}} less than the printed
+$B$. The print cannot tell which of the three numbers is off, and the verdict rests on the digits as
+our copy has them. The last column but one gives the $C_1$ that the printed $B$ would need.
 
 Zone 13 is not tested, because the exponent of its $C_1$ can hardly be read. If it is $10^{-8}$, the
 peak would be {{table-1-zone-13-share}} of the random part under it and could not have been seen;
@@ -25,10 +24,6 @@ The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of th
 m" and goes on: "Somewhere in this range, there is a transition to a faster rate of roll-off". In
 {{corner-long}} zones the corner lies at waves longer than 6 m. At 6 m (3) is then too high, by a
 factor of {{six-metres-median}} in the median of the zones and of {{six-metres}} at the most.
-
-Zone 12 is a section "constructed from 10-m rail", says the text. The table has $\varphi_0$ = 0.109
-cycle/m, which belongs to {{zone-12-rail}}. Which of the two is right cannot be told, for it rests
-on one character of our copy: 0.100 would be 10 m.
 */
 #include <fmt/format.h>
 
@@ -132,7 +127,7 @@ double chance_of_at_least(int least, int n, double p) {
 
 // What the table says as a whole.
 struct Survey {
-  std::vector<double> excess;         // of B over (7), where no rounding explains it, rising
+  std::vector<double> excess;         // of B over (7), of B, where no rounding explains it, rising
   std::vector<double> at_six_metres;  // (3) over (4) at a wave of 6 m, rising
   int corner_between = 0, corner_long = 0, ends_half = 0;  // zones
 };
@@ -143,7 +138,7 @@ Survey survey_of(const std::vector<Zone>& all, const table::CsvTable& table_1) {
     const std::string& B = table_1.at(zone.name, "B");
     const spectra::TrackParameters& track = zone.track;
     if (zone.peak_legible && !std::isfinite(rounding_of_B(zone, B)))
-      found.excess.push_back(track.B / dip_by_7(zone) - 1.0);
+      found.excess.push_back(1 - dip_by_7(zone) / track.B);
     found.ends_half += ends_in_half(B);
     found.corner_between += track.phi_c > track.phi_0 && track.phi_c < 2 * track.phi_0;
     found.corner_long += track.phi_c < 1 / 6.0;
@@ -184,8 +179,8 @@ void table_1(report::Item& item) {
   item.claims({{"A-range", {smooth.track.A, rough.track.A}},
                {"corner", {double(survey.corner_between), double(all.size())}},
                {"six-metres", {median, survey.at_six_metres.back()}}});
-  item.value("table-1-least", 100 * survey.excess.front(), "", "{:.0f}");
-  item.value("table-1-most", 100 * survey.excess.back(), "%", "{:.0f}");
+  item.value("table-1-least", 100 * survey.excess.front(), "", "{:.1f}");
+  item.value("table-1-most", 100 * survey.excess.back(), "%", "{:.1f}");
   report::values(item, "", "{:.0f}", "corner-between", survey.corner_between, "corner-long",
                  survey.corner_long, "ends-half", survey.ends_half, "ends-half-chance",
                  1 / chance_of_at_least(survey.ends_half, 13, 0.2));
