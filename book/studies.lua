@@ -28,14 +28,17 @@ end
 
 local function study(id, list, several)
   local runs, quantities = runs_of(list)
-  local heads, rows, uncertainty = {"method", "setting"}, {}, 0
+  local heads, rows, known = {"method", "setting"}, {}, {}
   for _, quantity in ipairs(quantities) do
     heads[#heads + 1] = quantity == "" and "error" or "error of " .. quantity
   end
   local failures = false
   for _, run in ipairs(runs) do failures = failures or run.outcome ~= "converged" end
   for _, head in ipairs({"median time", "quartiles of time", "work", failures and "outcome" or nil}) do heads[#heads + 1] = head end
-  for _, w in ipairs(list) do uncertainty = math.max(uncertainty, w.reference_uncertainty or 0) end
+  for _, w in ipairs(list) do
+    local quantity = w.quantity or ""
+    known[quantity] = math.max(known[quantity] or 0, w.reference_uncertainty or 0)
+  end
   for i, run in ipairs(runs) do
     local w, failed = run.first, run.outcome ~= "converged"
     local row = {html.text(w.method), {html.text(w.setting), class = "number"}}
@@ -52,8 +55,14 @@ local function study(id, list, several)
     row.class = failed and "failed" or i > 1 and runs[i - 1].first.method ~= w.method and "first" or nil
     rows[i] = row
   end
-  local note = uncertainty > 0 and html.tag("p", {class = "reason"},
-    "Relative errors; the reference itself is known to " .. html.number(("%.1g"):format(uncertainty)) .. ".") or ""
+  local said = {}
+  for _, quantity in ipairs(quantities) do
+    if known[quantity] > 0 then
+      said[#said + 1] = html.number(("%.1g"):format(known[quantity])) .. (#quantities > 1 and " (" .. html.text(quantity) .. ")" or "")
+    end
+  end
+  local note = #said > 0 and html.tag("p", {class = "reason"},
+    "Relative errors; the reference itself is known to " .. table.concat(said, ", ") .. ".") or ""
   local name = several and html.tag("p", {class = "caption"}, html.tag("b", nil, html.text(id))) or ""
   return name .. html.folded_table("work", heads, rows, most_rows, "runs") .. note
 end

@@ -23,12 +23,12 @@ formulas do not hold.
    force of 34 072 lbf and a moment about the jump of −5365 in·lbf. The radius of the wheel's tread
    is damaged in our copy ("J2.34"). With 12.34 in, the likeliest reading, a fine grid gives
    {{grid-force}} ({{off-f}}) and {{grid-moment}} ({{off-m}}). No single radius gives both printed
-   numbers: {{force-tread}} gives the force, {{moment-tread}} the moment.
-   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
+   numbers: {{force-tread}} gives the force, {{moment-tread}} the moment. Force:
+   {{outcome:example-2/F-printed}}, moment: {{outcome:example-2/M-printed}}
 3. The contact region is found step by step. Does it only shrink on the way? "The new candidate
    contact boundary will be inside the old one", says the paper. On the four meshes of Example 1
-   that we tried this is true as long as the region reaches more than {{outward-margin}} beyond the
-   contact. Closer to it a move can go too far, and later ones then go outward. If our program
+   that we tried this is true while the region reaches more than {{outward-margin}} beyond the
+   contact, and not to the end: a move goes too far, and later ones go outward. If our program
    forbids them, its contact comes out {{inward-short}} too short across the rail; if it allows
    them, {{free-short}}. {{outcome:moves/inside}}
 :::
@@ -65,18 +65,21 @@ this page. Numbers of equations are the paper's.
   reads. With a conical tread the force of Example 2 is {{cone-off}} too low.
   {{outcome:example-2/cone}}
 * **Hertz's column of Table 2.** Its force is {{printed-load-off}} more than follows from its own
-  axes and pressure. One misread digit would explain this, and so would a force that was copied from
-  COUNTACT's column, which has the same five digits. {{outcome:table-2/own-load}}
+  axes and pressure, for one of three reasons that are [named below](#which-tread-did-the-program-have).
+  {{outcome:table-2/own-load}}
 * **Example 2.** On a fine grid the force is {{off-f}} from the print and the moment {{off-m}}.
-  {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
-* **Moves of the boundary** are all inward until the region comes within {{outward-margin}} of the
-  contact. If outward moves are allowed, they bring back a boundary that has come to lie inside the
-  true one. {{outcome:moves/inside}}
+  Force: {{outcome:example-2/F-printed}}, moment: {{outcome:example-2/M-printed}}
+* **Moves of the boundary** are all inward only until the region comes within {{outward-margin}} of
+  the contact. Then on every mesh some go outward and bring back a boundary that has come to lie
+  inside the true one. {{outcome:moves/inside}}
+* **The error of 2 % in $a$** in Table 2 is more than on any mesh that we tried ({{a-short}}). The two
+  columns of Table 2 ask for different treads, which explains most of it.
 * **The three-point parabola** needs the paper's condition that $p$ be one-valued in $y$; without it
   the iteration diverges. {{outcome:fig-04/three-points}}
 * **Examples 3 and 4** have no dimensions in our text. We chose some, and test only what the paper
   claims about them. Whether the crown's stress concentration is "negligible" ({{peak-percent}} on
-  our rollers) is left open. {{outcome:fig-12/infinite}} {{outcome:example-4/resolving}}
+  our rollers) is left open. Sharp edges: {{outcome:fig-12/infinite}}; steep gradients:
+  {{outcome:example-4/resolving}}
 
 {{include: tread.cpp}}
 
@@ -109,14 +112,16 @@ Table 2, and no Table 1. Numbers that the paper prints in two systems of units a
   the symmetry that COUNTACT-1 needs.
 * **Frictionless and smooth.** With equal elastic constants friction would not change the normal
   pressure; roughness would.
-* **The boundary** is found to a fraction of a cell only: trust the force, the moment and the peak
-  to more digits than the ends of the contact.
+* **Digits.** Trust the force and the moment most. The boundary is found to a fraction of a cell
+  only. The peak of a smooth contact is better known than the ends; beside a jump of the radius or a
+  rounded edge it is the worst of all (second page).
 
 ## Use it
 
 The command `railbook contact solve` finds the contact of two bodies of your own by CG-FFT. They are
-given by radii, or by a table of the profile across the rail. Example 1 is one of the files that
-come with it, in `tools/examples/contact`:
+given by radii, or by a table of the profile across the rail. `radii.toml` in
+`tools/examples/contact` has the radii, the moduli and the approach of Example 1. One mil is a
+thousandth of an inch:
 
 ```console
 $ railbook contact solve --config radii.toml
@@ -143,13 +148,15 @@ $ railbook contact solve --body-1-profile rail.csv --body-2-profile wheel.csv --
 ...
 ```
 
-With `--out FOLDER` it also writes the cells, their pressures and a picture.
+With `--out FOLDER` it also writes the cells, their pressures and a picture, here of the same bodies
+under 100 kN.
 
 {{picture: contact-solve}}
 
 ## Try next
 
-Three variations of Example 1 with the same command; the lines shown are its answers.
+Three variations of Example 1 with the same command; the lines shown are its answers. A negative
+radius is that of a hollow.
 
 * Give the load and ask for the approach. How does the approach grow with the load?
 

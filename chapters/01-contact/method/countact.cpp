@@ -154,8 +154,8 @@ void judge(const Problem& q, const CountactStep& step, NormalContact& c) {
   const double deepest = deepest_outside(q, step);
   if (s.unresolved)
     c.reason =
-        "collapsed: too few columns or rows see the pressure fall towards a part of the "
-        "boundary, which was not located";
+        "collapsed: along a part of the boundary too few cells lie between the peak and the edge "
+        "to find where the pressure is zero";
   else if (deepest > 0.05)
     c.reason = "the bodies still overlap by " + std::to_string(deepest) +
                " of the approach outside the region: too few columns or rows";

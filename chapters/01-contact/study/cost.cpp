@@ -8,7 +8,8 @@ COUNTACT-1 and COUNTAXI are the paper's program for one axis of symmetry and for
 COUNTACT-1 is tried with the two kinds of columns of the paper, equal ones and two widths on each
 side of the origin, and with *graded* columns, which become narrower by degrees. CG-FFT is the
 method of the command `railbook contact solve`: it solves the problem by conjugate gradients on
-three uniform grids and extrapolates from them. "CG-FFT raw" is the finest of these grids alone.
+three uniform grids and extrapolates from them, which takes 24 cells or more. "CG-FFT raw" is the
+finest of these grids alone.
 
 ### Which method for the force on a jump of the radius?
 
@@ -56,8 +57,9 @@ peak to {{punch-peak-known}}.
 
 ### Which method for its peak pressure?
 
-{{cost-punch-peak-answer}} The error of the peak does not fall evenly, because it depends on how far
-the middle of a ring is from the peak: it is {{peak-80}} on 80 graded rings and {{peak-160}} on 160.
+{{cost-punch-peak-answer}} No setting tried reaches 10⁻⁴ reliably. The error of the peak does not
+fall evenly, because it depends on how far the middle of a ring is from the peak: it is {{peak-80}}
+on 80 graded rings, {{peak-160}} on 160 and {{peak-240}} on 240.
 With equal rings the program gives no result as long as too few of them lie between the peak and the
 boundary.
 
@@ -215,27 +217,27 @@ const Study& jump(const report::Item& item) {
       return [=](int n) { return outcome(on_grid(on_the_jump(), delta_2, n, 0, remedy)); };
     };
     std::vector<bench::Method> methods{
-        bench::sweep("COUNTACT-1 equal columns", {9, 15, 21, 31},
+        bench::sweep("COUNTACT-1 equal", {9, 15, 21, 31},
                      [](int n) { return outcome(by_columns(uniform_columns(n), n)); })
             .labelled("{} columns")
             .counts("unknowns squared"),
-        bench::sweep("COUNTACT-1 graded columns", {10, 15, 20, 30},
+        bench::sweep("COUNTACT-1 graded", {10, 15, 20, 30},
                      [](int n) {
                        const Columns columns = graded_columns(3 * n / 5, 2 * n / 5);
                        return outcome(by_columns(columns, n / 2 * 2 - 1));
                      })
             .labelled("{} columns")
             .counts("unknowns squared"),
-        bench::sweep("COUNTACT-1 two widths", {10, 15, 20, 30},
-                     [](int n) { return outcome(by_columns(two_widths(n), n / 2 * 2 - 1)); })
-            .labelled("{} columns")
-            .counts("unknowns squared"),
         bench::sweep("CG-FFT raw", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(false))
             .labelled("{0} x {0} cells")
             .counts("points transformed"),
-        bench::sweep("CG-FFT", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
+        bench::sweep("CG-FFT", {24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
             .labelled("{0} x {0} cells")
-            .counts("points transformed")};
+            .counts("points transformed"),
+        bench::sweep("COUNTACT-1 two widths", {10, 15, 20, 30},
+                     [](int n) { return outcome(by_columns(two_widths(n), n / 2 * 2 - 1)); })
+            .labelled("{} columns")
+            .counts("unknowns squared")};
     Study s{jump_references(), std::move(methods)};
     s.points = bench::measure("cost-jump-force", s.references, s.methods, item.timings(), 0.15);
     return s;
@@ -269,7 +271,7 @@ const Study& punch(const report::Item& item) {
         bench::sweep("CG-FFT raw", {17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(false))
             .labelled("{0} x {0} cells")
             .counts("points transformed"),
-        bench::sweep("CG-FFT", {17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
+        bench::sweep("CG-FFT", {24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
             .labelled("{0} x {0} cells")
             .counts("points transformed")};
     Study s{punch_references(exact), std::move(methods)};
@@ -279,9 +281,10 @@ const Study& punch(const report::Item& item) {
   return study;
 }
 
-void panel(report::Item& item, const Study& study, const std::string& quantity) {
+void panel(report::Item& item, const Study& study, const std::string& quantity,
+           std::initializer_list<double> errors = {1e-2, 1e-3, 1e-4}) {
   bench::show(item, study.points, quantity, study.methods);
-  item.value(item.id() + "-answer", bench::answer(study.points, quantity, {1e-2, 1e-3, 1e-4}));
+  item.value(item.id() + "-answer", bench::answer(study.points, quantity, errors));
   item.added("a study of methods");
 }
 
@@ -309,12 +312,35 @@ void punch_force(report::Item& item) {
   item.value("punch-peak-known", decade(study.references[1].uncertainty), "", "{:.0e}");
 }
 
+// How often the true error of CG-FFT on the jump and on the stamp is below the stated one, of the
+// runs that state one: "12 of 16".
+void stated_errors(report::Item& item) {
+  int stated[2]{}, within[2]{};
+  const auto count = [&](std::size_t q, double value, double error, const bench::Reference& r) {
+    if (!std::isfinite(error)) return;
+    ++stated[q];
+    within[q] += std::abs(value / r.value - 1) <= error + r.uncertainty;
+  };
+  for (const int n : {24, 34, 48, 68, 96, 136, 192, 255})
+    for (const bool jumps : {true, false}) {
+      const NormalContact c = jumps ? on_grid(on_the_jump(), delta_2, n, 0)
+                                    : on_grid(rounded_punch_gap(stamp), delta_4, n);
+      const std::vector<bench::Reference>& known =
+          jumps ? jump(item).references : punch(item).references;
+      count(0, c.force, c.force_error, known[0]);
+      count(1, c.p_max, c.p_max_error, known[1]);
+    }
+  item.value("stated-force", fmt::format("{} of {}", within[0], stated[0]));
+  item.value("stated-peak", fmt::format("{} of {}", within[1], stated[1]));
+}
+
 void punch_peak_panel(report::Item& item) {
   const Study& study = punch(item);
-  panel(item, study, "p_max");
+  stated_errors(item);
+  panel(item, study, "p_max", {1e-2, 1e-3});
   for (const report::WorkPrecision& p : study.points)
     if (p.quantity == "p_max" && p.method == "COUNTAXI graded rings" &&
-        (p.setting == "80 rings" || p.setting == "160 rings"))
+        (p.setting == "80 rings" || p.setting == "160 rings" || p.setting == "240 rings"))
       item.value("peak-" + p.setting.substr(0, p.setting.find(' ')), p.error, "", "{:.0e}");
 }
 

@@ -302,7 +302,7 @@ void extremes(report::Item& item) {
         "the slope of the pressure is infinite at the jump", accurate, 1e-4,
         "sums over lattices, continued"},
        [] { return jump(true); }},
-      {{"jump-off", "the same, the edge where it falls", "the same", accurate, 1e-4,
+      {{"jump-off", "the same, with the jump inside a cell", "the same", accurate, 1e-4,
         "sums over lattices, continued"},
        [] { return jump(false); }},
       {{"sharp-punch", "flat punch with a sharp edge, 256 x 256", "infinite pressure at the edge",
