@@ -24,8 +24,42 @@ FilterTaps double_integral_taps(const Band& band, double spacing, Curvature curv
 }
 
 std::size_t double_integral_margin(const Band& band, double spacing) {
-  return 4 * band_margin(band, spacing);
+  return static_cast<std::size_t>(
+      std::ceil(4 * band_decay(band) / units::require_positive("spacing", spacing, "m")));
 }
+
+namespace {
+
+// The stretches of a record without a gap.
+std::vector<std::span<double>> pieces_of(std::vector<double>& record) {
+  std::vector<std::span<double>> pieces;
+  const auto known = [](double value) { return !std::isnan(value); };
+  for (auto at = std::find_if(record.begin(), record.end(), known); at != record.end();) {
+    const auto end = std::find_if_not(at, record.end(), known);
+    pieces.emplace_back(at, end);
+    at = std::find_if(end, record.end(), known);
+  }
+  return pieces;
+}
+
+// Takes off the bias and its even drift. The weights (1 - x^2)^2 make this the least-squares cubic
+// of the heights: a line through the accelerations themselves would follow the slopes at the ends.
+void take_off_bias(std::span<double> piece) {
+  const auto n = static_cast<double>(piece.size());
+  double weights = 0, seconds = 0, sum = 0, moment = 0;
+  const auto place = [&](std::size_t i) { return (2 * static_cast<double>(i) - n + 1) / (n + 1); };
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const double x = place(i), weight = (1 - x * x) * (1 - x * x);
+    weights += weight;
+    seconds += weight * x * x;
+    sum += weight * piece[i];
+    moment += weight * x * piece[i];
+  }
+  const double bias = sum / weights, drift = seconds > 0 ? moment / seconds : 0;
+  for (std::size_t i = 0; i < piece.size(); ++i) piece[i] -= bias + drift * place(i);
+}
+
+}  // namespace
 
 std::vector<double> integrate_twice(std::span<const double> acceleration,
                                     std::span<const double> speed, const Band& band, double spacing,
@@ -35,18 +69,22 @@ std::vector<double> integrate_twice(std::span<const double> acceleration,
                      std::to_string(acceleration.size()) + " accelerations; allowed: one each"};
   const FilterTaps taps = double_integral_taps(band, spacing, curvature);
   std::vector<double> rest(acceleration.begin(), acceleration.end());
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (std::isnan(speed[i])) rest[i] = units::nan;
+  for (const std::span<double> piece : pieces_of(rest)) take_off_bias(piece);
   double low = units::infinity, high = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (std::isnan(rest[i]) || std::isnan(speed[i])) {
-      rest[i] = units::nan;
-      continue;
-    }
+    if (std::isnan(rest[i])) continue;
     const double v = units::require_positive("speed", speed[i], "m/s");
     low = std::min(low, v);
     high = std::max(high, v);
     rest[i] /= v * v;
   }
-  const auto heights_of = [&](const std::vector<double>& second) {
+  // FilterStream continues a piece point-symmetrically about its last sample. Heights continued so
+  // have second derivatives that are point-symmetric about zero: a last one of any other value
+  // would be a curvature of twice its size for as far as the filter reaches.
+  const auto heights_of = [&](std::vector<double>& second) {
+    for (const std::span<double> piece : pieces_of(second)) piece.front() = piece.back() = 0;
     std::vector<double> heights;
     heights.reserve(second.size());
     InnerFilter filter(taps, double_integral_margin(band, spacing), [&](std::span<const double> p) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,15 @@ double band_gain(const Band& band, int passes, double phi) {
   const double x = (phi * phi - low * high) / (phi * (high - low));
   const double squared = 1 / (1 + std::pow(x, 8));
   return passes == 2 ? squared : std::sqrt(squared);
+}
+
+// A pole p of the low-pass becomes those with s^2 - width p s + centre^2 = 0; of the four pairs the
+// two next to the imaginary axis, at 5/8 pi, decay slowest.
+double band_decay(const Band& band) {
+  const double low = 2 * units::pi / band.longest, high = 2 * units::pi / band.shortest;
+  const std::complex<double> middle = 0.5 * (high - low) * std::polar(1.0, 0.625 * units::pi);
+  const std::complex<double> apart = std::sqrt(middle * middle - low * high);
+  return 1 / std::min(std::abs((middle + apart).real()), std::abs((middle - apart).real()));
 }
 
 FilterTaps symmetric_taps(const Band& band, double spacing,
