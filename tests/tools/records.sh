@@ -125,6 +125,20 @@ measures named.csv --column 3 --chord 62ft --fra-class 4 --out out && ! grep -q 
 awk -F, 'NR == 2 {exit !($2 == "level chord 62ft" && $7 > 38 && $7 < 42 && $4 > 800 && $4 < 801 && $5 <= 801)} NR > 2 {exit 1}' out/exceptions.csv || fail "offsets against their limit: $(cat out/exceptions.csv)"
 measures named.csv --column 3 --chord 31ft --fra-class 4 --out out && [ "$(value exceptions)" = null ] || fail "a chord that has no limit"
 
+# The same for the descriptor, and the names that recorders of other networks give.
+index() { "$railbook" quality index "$@" --speed 100km/h --no-figures >said 2>&1; }
+index named.csv --column "Left level D1" && grep -q 'WARNING: .*filtered to D1, by its name' said || fail "the descriptor of a column named D1"
+index named.csv --column short && grep -q 'WARNING: .*hardly any waves longer than 25 m' said || fail "the descriptor of a column filtered to D1"
+index named.csv --column plain && ! grep -q WARNING said || fail "the descriptor of a column of any name"
+for name in "L PROF 62 (in)" "PROF_L_62 (in)" "Left 62' Profile (in)" "LPROF62 (in)" "Mid-Ord L (in)" "left mid ordinate (in)"; do
+  sed "1s/.*/distance_m,$name/; 2,\$s/,.*,\(.*\),.*/,\1/" named.csv >chords.csv
+  index chords.csv --column 2 && grep -q 'WARNING: .*offset of a chord, by its name' said || fail "the descriptor of $name"
+  measures chords.csv --column 2 --fra-class 4 --out out && grep -q 'WARNING: .*offset of a chord, by its name' said || fail "the class of $name"
+done
+sed '1s/.*/distance_m,Top Left 35m (mm)/; 2,$s/,.*,\(.*\),.*/,\1/' named.csv >britain.csv
+measures britain.csv --column 2 --fra-class 4 --out out && grep -q 'WARNING: .*only waves shorter than 35 m, by its name' said || fail "a high-passed column"
+index britain.csv --column 2 && grep -q 'WARNING: .*only waves shorter than 35 m' said || fail "the descriptor of a high-passed column"
+
 # Track without joints.
 "$railbook" psd synthesize smooth.csv --length 6km --spacing 25cm --roughness 2e-7m^2*cycle/m --corner 0.13cycle/m --dip 0mm --seed 3 >said 2>&1 || fail "synthesize"
 "$railbook" psd classify smooth.csv --no-rail --json >said 2>&1 || fail "--no-rail"

@@ -41,15 +41,26 @@ std::optional<std::string> band_in_name(const std::string& header) {
   return std::nullopt;
 }
 
+std::optional<int> high_pass_in_name(const std::string& header) {
+  const std::vector<std::string> words = words_of(header);
+  for (std::size_t i = 1; i < words.size(); ++i)
+    if (words[i] == "m" && (words[i - 1] == "35" || words[i - 1] == "70"))
+      return words[i - 1] == "35" ? 35 : 70;
+  return std::nullopt;
+}
+
 bool is_offset_by_name(const std::string& header) {
+  if (high_pass_in_name(header)) return false;
   const std::vector<std::string> words = words_of(header);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "mco" || word == "midchord" || word == "chord" || word.starts_with("versine"))
+    const std::string before = i > 0 ? words[i - 1] : "";
+    if (word == "mco" || word == "midchord" || word == "chord" || word.starts_with("versine") ||
+        word.starts_with("midord") || (before == "mid" && word.starts_with("ord")))
       return true;
+    if (word == "31" || word == "62" || word == "124") return true;
     const bool unit = word == "ft" || word == "foot" || word == "feet" || word == "m";
-    if (unit && i > 0 && words[i - 1].size() >= 2 &&
-        words[i - 1].find_first_not_of("0123456789") == std::string::npos)
+    if (unit && before.size() >= 2 && before.find_first_not_of("0123456789") == std::string::npos)
       return true;
   }
   return false;

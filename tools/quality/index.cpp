@@ -29,6 +29,7 @@ paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, t
 #include <railbook/units/input_error.hpp>
 
 #include "quality/index_parts.hpp"
+#include "quality/short_waves.hpp"
 #include "tools.hpp"
 
 namespace railbook::quality_tool {
@@ -96,6 +97,7 @@ struct Run {
   double spacing = 0, shortest = 0, margin = 0;
   filters::FilterTaps taps;
   std::optional<quality::IndexBuilder> builder;
+  ShortWaves short_waves;
 };
 
 Run run_record(const IndexOptions& options, const quality::Descriptor& d,
@@ -126,10 +128,12 @@ Run run_record(const IndexOptions& options, const quality::Descriptor& d,
                              known = &record;
                              if (!stream) begin();
                              stream->push(piece);
+                             run.short_waves.push(piece, run.spacing);
                            });
   known = run.record.get();
   stream->finish();
   run.builder->finish();
+  run.short_waves.finish();
   return run;
 }
 
@@ -142,7 +146,10 @@ std::vector<tool::Row> rows_of(const IndexOptions& options, const quality::Descr
     Channel none{nullptr};
     const Run run = run_record(one, d, file, none);
     const auto found = places(*run.builder, *run.record, d, run.spacing, run.margin);
-    add_rows(rows, {one, d, *run.record, run.taps, run.shortest, *run.builder, found}, column);
+    add_rows(
+        rows,
+        {one, d, *run.record, run.taps, run.shortest, *run.builder, found, run.short_waves.alone()},
+        column);
   }
   return rows;
 }
@@ -162,7 +169,8 @@ void index_track(const IndexOptions& options) {
   const Run run = run_record(options, d, options.record.batch.only(), channel);
   const records::RecordStream& record = *run.record;
   const auto found = places(*run.builder, record, d, run.spacing, run.margin);
-  const IndexAnswer answer{options, d, record, run.taps, run.shortest, *run.builder, found};
+  const IndexAnswer answer{
+      options, d, record, run.taps, run.shortest, *run.builder, found, run.short_waves.alone()};
   const tool::Summary summary = summary_of(answer);
   summary.print();
   if (out) {

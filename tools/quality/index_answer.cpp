@@ -9,7 +9,9 @@
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/digits.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/warning.hpp>
 
+#include "quality/column_names.hpp"
 #include "quality/index_parts.hpp"
 
 namespace railbook::quality_tool {
@@ -105,6 +107,34 @@ void add_worst(tool::Summary& s, std::vector<Place> found) {
                     found[i].e.wavelength, found[i].limit, found[i].unsure ? ", unsure" : ""));
 }
 
+// Of a column that does not hold the heights of the rail, all waves of them.
+std::vector<units::Warning> content_warnings(const IndexAnswer& a) {
+  const std::string& column = a.options.record.columns.front();
+  const std::string& header = a.record.header();
+  const auto low = [&](const std::string& what) {
+    return std::vector<units::Warning>{
+        {"filtered",
+         fmt::format("column {} {}: the descriptor needs the heights of the rail as they "
+                     "are, and comes out too low",
+                     column, what)}};
+  };
+  if (const auto band = band_in_name(header))
+    return low("is filtered to " + *band + ", by its name");
+  if (const auto longest = high_pass_in_name(header))
+    return low(fmt::format("has only waves shorter than {} m, by its name", *longest));
+  if (is_offset_by_name(header))
+    return {
+        {"offset", fmt::format("column {} is the offset of a chord, by its name: the descriptor "
+                               "needs the heights of the rail, and is wrong",
+                               column)}};
+  if (a.short_waves)
+    return low(
+        fmt::format("has hardly any waves longer than 25 m (D2 is {:.0f} % of D1), as one "
+                    "that is filtered to D1",
+                    100 * *a.short_waves));
+  return {};
+}
+
 // No index is stated for a segment that was not read whole; its largest value is what was seen.
 quality::QualityIndex index_of(const Class& c, quality::QualityIndex q) {
   if (!c.whole) q.mean = q.deviation = q.rms = q.above_per_km = std::nan("");
@@ -114,11 +144,12 @@ quality::QualityIndex index_of(const Class& c, quality::QualityIndex q) {
 }  // namespace
 
 tool::Summary summary_of(const IndexAnswer& answer) {
-  const auto& [options, d, record, taps, shortest, builder, found] = answer;
+  const auto& [options, d, record, taps, shortest, builder, found, short_waves] = answer;
   const quality::QualityIndex q = builder.index();
   tool::Summary s{"track quality of " + options.record.batch.only().string()};
   add_car(s, d);
   tools::add_record(s, record);
+  for (const auto& [key, text] : content_warnings(answer)) s.warn(key, text);
   s.add("shortest_m", "shortest wavelength", shortest, "m");
   s.add_error("gain_error", "filter gain wrong by at most", taps.gain_error, "",
               fmt::format("at {:.3g} m", taps.worst_at));
@@ -159,6 +190,7 @@ void add_rows(std::vector<tool::Row>& rows, const IndexAnswer& a, const std::str
   record.add("kind", "record");
   record.add("column", column);
   tools::add_record(record, a.record);
+  for (const auto& [key, text] : content_warnings(a)) record.warn(key);
   add_index(record, a.builder.index(), a.found.size());
   record.add("unsure", a.builder.unsure());
   for (const Class& c : classes(a)) {

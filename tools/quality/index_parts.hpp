@@ -52,6 +52,7 @@ struct IndexAnswer {
   double shortest;  // wavelength, m
   const railbook::quality::IndexBuilder& builder;
   const std::vector<Place>& found;
+  std::optional<double> short_waves;  // see ShortWaves
 };
 tool::Summary summary_of(const IndexAnswer& answer);
 // The record as a row of a table of many, and its segments as rows after it.

@@ -36,8 +36,8 @@ ColumnContent Column::content(const MeasuresOptions& options, const std::string&
     content.band = filters::parse_band("filtered", content.band_name);
   else if (!options.chord.empty())
     content.offset = quality::parse_chord("chord", options.chord);
-  else if (is_offset_by_name(header))
-    content.offset.emplace();
+  else if (is_offset_by_name(header) || high_pass_in_name(header))
+    content.offset.emplace();  // of no chord that is known: nothing is judged by it
   return content;
 }
 

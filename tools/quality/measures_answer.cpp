@@ -17,6 +17,7 @@
 #include <railbook/units/warning.hpp>
 
 #include "quality/column_names.hpp"
+#include "quality/short_waves.hpp"
 
 namespace railbook::quality_tool {
 namespace {
@@ -53,16 +54,22 @@ std::vector<units::Warning> warnings_of(const MeasuresOptions& options, const Ch
            fmt::format("column {} is filtered to {} by its name, and to {} by --filtered",
                        column.name, *band, channel.content().band_name)});
   } else if (const auto d1 = mean_square(channel, "D1"), d2 = mean_square(channel, "D2");
-             d1 && d2 && d2.value() < 0.0625 * d1.value() && d2.value() > 9e-4 * d1.value()) {
-    // A third of this is what the two filters leave between them; of a line alone nothing is left.
+             d1 && d2) {
+    if (const auto share = short_waves_alone(*d1, *d2))
+      warnings.push_back(
+          {"filtered",
+           fmt::format(
+               "column {} has hardly any waves longer than 25 m (D2 is {:.0f} % of D1): is it "
+               "filtered to D1 already? Then say so: --filtered D1",
+               column.name, 100 * *share)});
+  }
+  if (const auto longest = high_pass_in_name(header); longest && options.chord.empty())
     warnings.push_back(
         {"filtered",
-         fmt::format(
-             "column {} has hardly any waves longer than 25 m (D2 is {:.0f} % of D1): is it "
-             "filtered to D1 already? Then say so: --filtered D1",
-             column.name, 100 * std::sqrt(*d2 / *d1))});
-  }
-  if (options.chord.empty() && channel.content().offset)
+         fmt::format("column {} has only waves shorter than {} m, by its name: no class is judged "
+                     "by it",
+                     column.name, *longest)});
+  else if (options.chord.empty() && channel.content().offset)
     warnings.push_back(
         {"offset",
          fmt::format("column {} is the offset of a chord, by its name: no class is judged "
@@ -273,6 +280,11 @@ void add_judged(tool::Summary& s, const MeasuresOptions& options, const Measured
     s.add("not_judged", "  not judged", fmt::format("{}", fmt::join(not_judged, ", ")));
 }
 
+// Of a gauge a tenth of a millimetre, so that 1460.3 is not shown as its limit of 1460.
+std::string beside_limit(double value) {
+  return std::abs(value) >= 1000 ? fmt::format("{:.1f}", value) : tool::to_text(value);
+}
+
 // How often the limits are left; no zero where something could not be judged.
 void add_exceptions(tool::Summary& s, const MeasuresOptions& options, const Measured& m) {
   const std::vector<Left> all = all_exceedances(m);
@@ -305,10 +317,10 @@ void add_exceptions(tool::Summary& s, const MeasuresOptions& options, const Meas
     std::ranges::replace(key, ' ', '_');
     const quality::Exception& e = worst->exceedance.place;
     s.add(key, "  " + name, static_cast<double>(each.size()), "",
-          fmt::format("{} {} {} {} {:.7g} m, limit {:.4g}", worst->channel->column().name,
-                      tool::to_text(e.largest / limit.unit()), limit.unit_name(),
+          fmt::format("{} {} {} {} {:.7g} m, limit {}", worst->channel->column().name,
+                      beside_limit(e.largest / limit.unit()), limit.unit_name(),
                       std::isnan(e.at) ? "from" : "at", std::isnan(e.at) ? e.from : e.at,
-                      worst->exceedance.bound / limit.unit()));
+                      beside_limit(worst->exceedance.bound / limit.unit())));
   }
   add_judged(s, options, m);
   std::size_t reach = 0;
