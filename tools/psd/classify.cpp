@@ -238,9 +238,10 @@ tool::Summary answer(const Options& options, const spectra::RecordSpectrum& m, c
   if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
   if (fit.phi_0 > 0) {
     s.add("rail_m", "rail length", f.fit_options.rail_length, "m",
-          options.rail      ? ""
-          : f.contradicting ? "as the spectrum shows"
-                            : "assumed; --rail names another");
+          options.rail             ? ""
+          : f.contradicting        ? "as the spectrum shows"
+          : f.fit.line_significant ? "the default, and its line is there"
+                                   : "assumed: no line shows it; --rail names another");
     with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
                "standard error; as in Table 1");
     with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
