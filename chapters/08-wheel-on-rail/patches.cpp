@@ -3,8 +3,9 @@
 {{scene}}
 
 The slender patch lies on the slope that leads to the flange, where the wheel curves sharply and the
-rail too. The tractions on both patches point mostly across: the wheelset is yawed, so it rolls in
-another direction than it travels.
+rail too. The tractions on both patches point mostly across, away from the flange: the wheelset is
+yawed, so it rolls in another direction than it travels. The longest line of the slender patch is
+1.5 mm long and stands for {{longest-line}}.
 
 {{fold}}
 */
@@ -196,7 +197,7 @@ scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Draw
 // Tractions on the wheel at every sixth cell, a little in front of it.
 scene::Lines tractions(const WheelResult& wheel, const Drawing& place) {
   scene::Lines arrows{scene::Points(0, 3), scene::Segments(0, 2), {0.84, 0.37, 0.0}, 2};
-  const double longest = 3 * mm / wheel.patches.front().largest_shear;
+  const double longest = 1.5 * mm / wheel.patches.front().largest_shear;
   for (const PatchResult& p : wheel.patches) {
     const auto& t = p.forces.tractions;
     for (Index k = 0; k < t.x.size(); ++k) {
@@ -237,6 +238,8 @@ void draw_scene(report::Item& item) {
   rolling.vertices.row(3) = on_tread(-0.0150, -0.007).transpose();
   rolling.segments << 0, 1, 1, 2, 1, 3;
   s.lines.push_back(rolling);
+  item.value("longest-line", wheel.patches.front().largest_shear / units::megapascal, "MPa",
+             "{:.0f}");
   const scene::Size size{860, 560};
   const auto camera = scene::looking_at(s, {0.35, -0.75, -0.9}, size, true);
   scene::labelled(item, "wheel.gp", s, camera, size,

@@ -2,15 +2,16 @@
 
 ## Error against run time
 
-Which method gives the largest pressure to one per cent in the least time? **In general take the
-full theory, with so many cells that the error which it states is small enough. Take Hertz or strips
-only after a comparison with it**, for instance to fill a table of many positions. The figure
+Which method gives the largest pressure to one per cent in the least time? **Hertz is the fastest
+where it is accurate, and only the full theory shows where that is. So begin with the full theory,
+with so many cells that the error which it states is small enough; take Hertz or strips after a
+comparison with it**, for instance to fill a table of many positions. The figure
 compares them on one wheel, the right one of the benchmark at 3 mm, where the profiles curve evenly
 below the patch and suit Hertz:
 
 {{cost}}
 
-On this wheel Hertz does well, which only the full theory shows; so start with that. {{cost-answer}}
+On this wheel Hertz does well. {{cost-answer}}
 (Hertz's curvatures are found from the same 60 strips.) On the 21 wheels compared on the first page
 Hertz is up to {{hertz-pressure}} from CONTACT and the full theory up to {{worst-pressure}}. Creep
 forces are not timed here. A vehicle program that asks thousands of times a second looks its forces
@@ -26,9 +27,10 @@ $\sqrt2$ each, and the pressure is extrapolated to cells of size zero. It states
 
 ## Stability
 
-Which poses and loads defeat the solver? A case *holds* when its error stays within the bound set
-for it, and is *refused* when the program says why it has no answer. The column *error* is that of
-the load on the wheel, which the solver meets by iteration; it says nothing of the pressure.
+Which poses and loads defeat the solver? Here *holds* means no more than that the solver, which
+iterates until it meets the load on the wheel, does so within the bound; the column *error* is that
+of the load and says nothing of the pressure. A case is *refused* when the program says why it has
+no answer.
 Warnings that the program gives about the pressure stand in the column *result*: at 5 mm the grid is
 too coarse for it, and at 6.2 mm the overlap of wheel and rail reaches the end of a profile. At 5 mm
 one patch is found where the first page has two; yaw, roll and load differ there.
