@@ -11,6 +11,7 @@
 #include <railbook/num/fft.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/number_text.hpp>
 #include <railbook/units/quantity.hpp>
 
 namespace railbook::filters {
@@ -73,8 +74,10 @@ FilterTaps symmetric_taps(const Band& band, double spacing,
 
 FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_positive("spacing", spacing, "m");
-  units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
-                         units::infinity, "m");
+  if (!(band.shortest >= 2 * spacing))
+    throw InputError{"shortest wavelength of the band is " + units::number_text(band.shortest) +
+                     " m; allowed: at least " + units::number_text(2 * spacing) +
+                     " m, the samples being " + units::number_text(spacing) + " m apart"};
   return symmetric_taps(band, spacing, [&](double phi) { return band_gain(band, passes, phi); });
 }
 

@@ -116,7 +116,8 @@ void require_length(std::size_t longest, const Processing& processing) {
   if (longest < chords + 2)
     throw InputError{"the longest run without a gap or a turn has " + std::to_string(longest) +
                      " samples; allowed: at least " + std::to_string(chords + 2) + ", for the " +
-                     std::to_string(chords) + " short chords of one long chord with its high-pass"};
+                     std::to_string(chords) + " short chords of one long chord with its high-pass" +
+                     (longest < 3 ? "; are the samples as far apart as --sample says?" : "")};
 }
 
 Measurement reconstruct_runs(const Record& record, const Processing& processing,

@@ -355,14 +355,16 @@ double CsvReader::with_comma(std::size_t column) const {
 }
 
 void CsvReader::refuse_number(std::size_t column) const {
-  const bool comma = separator_ == ',' && cells_[column].find(',') != std::string_view::npos;
-  refuse(
-      fmt::format("column \"{}\" is \"{}\"; allowed: a finite number{}{}",
-                  units::printable(header_[column]), units::printable(cells_[column]),
-                  comma && decimal_ == 0 ? " (--decimal comma if its comma is a decimal one)" : "",
-                  decimal_ == 0     ? ""
-                  : decimal_ == ',' ? ", with a decimal comma as before"
-                                    : ", with a decimal point as before"));
+  const bool both = cells_[column].find('.') != std::string_view::npos;
+  const bool comma = cells_[column].find(',') != std::string_view::npos && separator_ == ',';
+  refuse(fmt::format("column \"{}\" is \"{}\"; allowed: a finite number{}{}",
+                     units::printable(header_[column]), units::printable(cells_[column]),
+                     comma && both            ? " without a mark of thousands"
+                     : comma && decimal_ == 0 ? " (--decimal comma if its comma is a decimal one)"
+                                              : "",
+                     decimal_ == 0     ? ""
+                     : decimal_ == ',' ? ", with a decimal comma as before"
+                                       : ", with a decimal point as before"));
 }
 
 }  // namespace railbook::table

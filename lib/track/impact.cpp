@@ -212,8 +212,8 @@ void require_valid(const ImpactOptions& options, const Surface& surface, double 
   if (const auto* profile = std::get_if<SampledProfile>(&surface)) {
     units::require_between("start distance on the profile", options.start, profile->first(),
                            profile->last(), "m");
-    units::require_between("distance at the end of the run", speed * options.end_time,
-                           profile->first(), profile->last(), "m");
+    units::require_between("distance at the end of the run (speed times duration)",
+                           speed * options.end_time, profile->first(), profile->last(), "m");
   }
 }
 

@@ -38,6 +38,13 @@ set(histories ${CMAKE_CURRENT_SOURCE_DIR}/creep)
 refuses(creep "a history without places" "no column .distance. or .time." history ${histories}/no-distance.csv ${contact})
 refuses(creep "times without a speed" "give the speed of rolling, --speed" history ${histories}/times.csv ${contact})
 refuses(creep "a force in millimetres" "column .fx_mm. names no unit that fits" history ${histories}/wrong-unit.csv ${contact})
+add_test(NAME "tool: creep warns of a history of columns that it does not know"
+         COMMAND sh -c "printf 'distance_mm,slip\n0,0.001\n1,0.001\n' >$1-slip.csv && $0 creep history $1-slip.csv --a 6mm --b 4mm --load 80kN --mu 0.3 --cells 8 --no-figures"
+                 $<TARGET_FILE:railbook> ${PROJECT_BINARY_DIR}/ctest/creep)
+set_tests_properties("tool: creep warns of a history of columns that it does not know" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "no creepage and no force is given, and columns are not used: slip")
+add_test(NAME "tool: creep takes a spin in degrees"
+         COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --mu 0.3 --spin 11deg/m --points 3 --cells 8 --no-figures)
 refuses(creep "a history that goes back" "distance of row 3 is 0.001 m. allowed: not below" history ${histories}/back.csv ${contact})
 refuses(creep "a force of the history beyond friction" "force along of row 1 is .*allowed" history ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv ${contact} --mu 0.1)
 refuses(creep "a history without friction" "friction is 0. allowed" history ${PROJECT_SOURCE_DIR}/tools/examples/creep/braking.csv ${contact} --mu 0)

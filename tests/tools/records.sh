@@ -104,6 +104,10 @@ sed '50s/,[^,]*,/,inv,/' tail.csv >inv.csv
 refuses 'line 50.*--missing "inv"' inv.csv
 sed '1i Recorder 7' tail.csv >preamble.csv
 refuses "--skip" preamble.csv --distance distance
+awk 'BEGIN {print "distance_m,profile_mm"; for (i = 0; i < 50; ++i) print i ",\"1,2" i % 10 "0.5\""}' >thousands.csv
+refuses "without a mark of thousands" thousands.csv
+awk 'BEGIN {print "distance_km,profile_mm"; for (i = 0; i < 500; ++i) print i / 4 "," i % 7}' >metres.csv
+refuses "at least 500 m, the samples being 250 m apart" metres.csv
 
 # Miles and yards: 12.0440 is 12 miles and 440 yards.
 awk 'BEGIN {print "Pos [mi.yd],profile_mm"; for (i = 1700; i < 6000; ++i) printf "%d.%04d,%.4f\n", 12 + int(i / 1760), i % 1760, 3 * sin(i * 0.9144 * 0.62831853)}' >yards.csv

@@ -93,7 +93,7 @@ refuses(track "a profile with a gap" "gap.csv., line 3: column .profile_mm. is e
                  joint --speed 30m/s --profile ${profiles}/gap.csv)
 refuses(track "a profile without a unit" "bare.csv.: column .profile. names no unit. allowed: a header that"
                  joint --speed 30m/s --profile ${profiles}/bare.csv)
-refuses(track "a profile shorter than the run" "distance at the end of the run is 3.6 m. allowed: from -1.2 to 3"
+refuses(track "a profile shorter than the run" "distance at the end of the run .speed times duration. is 3.6 m. allowed: from -1.2 to 3"
                  joint --speed 60m/s --profile ${profiles}/hollow.csv)
 add_test(NAME "tool: track joint answers"
          COMMAND railbook track joint --speed 60mph --dip 0.5in --json --out ${PROJECT_BINARY_DIR}/ctest/track-joint)

@@ -54,9 +54,8 @@ struct Options {
 
 // Radians are no dimension to most people: 0.2rad/m and 0.2 1/m are the same spin. Cycles are not.
 double spin_of(const std::string& text) {
-  const bool per_length = text.find("rad") == std::string::npos &&
-                          text.find("cycle") == std::string::npos &&
-                          text.find('/') != std::string::npos;
+  const auto holds = [&](const char* unit) { return text.find(unit) != std::string::npos; };
+  const bool per_length = holds("/") && !holds("rad") && !holds("deg") && !holds("cycle");
   const double spin = units::parse_quantity(
       "spin", text, per_length ? units::wavenumber : units::angle / units::length);
   return units::require_between("spin", spin, -1e4, 1e4, "rad/m");

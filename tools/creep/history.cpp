@@ -123,7 +123,13 @@ std::vector<HistoryRow> read(const Options& options, tool::Summary& answer) {
     r.shift_x = columns.at(shift_x, 0), r.shift_y = columns.at(shift_y, 0);
     rows.push_back(r);
   }
-  if (const std::string names = columns.unused(); !names.empty())
+  const std::string names = columns.unused();
+  if (!names.empty() && !longitudinal && !lateral && !spin && !fx)
+    answer.warn("unused_columns", fmt::format("no creepage and no force is given, and columns are "
+                                              "not used: {}; used are longitudinal, lateral, spin "
+                                              "and fx",
+                                              names));
+  else if (!names.empty())
     answer.add("unused_columns", "columns not used", names);
   return rows;
 }
