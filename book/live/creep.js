@@ -12,7 +12,7 @@ railbookFigure("creep", {
   },
 
   build(figure) {
-    this.curve = figure.plot("Force on the friction limit", [0, 8, "longitudinal creepage, ‰"], [0, 1.05, "force along over μN"]);
+    this.curve = figure.plot("Force on the friction limit", [0, 8, "longitudinal creepage, ‰"], [0, 1.05, "force along over friction limit"]);
     this.patch = figure.plot("Contact, rolling to the right; arrows are tractions", [-1.65, 1.65, "along rolling, mm"], [-1.05, 1.05, "across, mm"], {equal: 1, key: [["sticks", "curve-1"], ["slides", "curve-2"]]});
     for (const key of ["creep", "lateral", "spin"]) figure.slider(key);
     figure.choice("theory", ["FASTSIM", "full theory"]);
@@ -39,7 +39,7 @@ railbookFigure("creep", {
       this.patch.line([from[0], to[0]], [from[1], to[1]], "text", {"stroke-width": 1.2});
       this.patch.dot(...to, "text", 1.6);
     });
-    figure.says([["along rolling", `${short(100 * this.share)} % of the friction limit μN`], ["across", `${short(100 * answer.fy / answer.limit)} %`],
-      ["area that sticks", `${short(100 * answer.stick_share)} %`], ["X = G ab ξ/(μN)", short(answer.reduced)]]);
+    figure.says([["along rolling", `${short(100 * this.share)} % of the friction limit`], ["across", `${short(100 * answer.fy / answer.limit)} %`],
+      ["area that sticks", `${short(100 * answer.stick_share)} %`], ["dimensionless creep X", short(answer.reduced)]]);
   },
 });

@@ -17,9 +17,10 @@ those of the two radii as well, and so they cancel in part. If all four errors a
 direction they make {{xi-worst}}; other roundings and readings of the printed numbers give
 {{worst-range}} {{outcome:table-appendix-a/upper-bound}}. Taken as independent errors, by the root
 of the sum of their squares, they make {{xi-rss}}. In that sense the creep is accurate to 0.0005
-{{outcome:table-appendix-a/accurate}}, if the speeds are in rpm like their errors. If they are
-counts of teeth in a second, as the fold on load and speed below prefers, errors in rpm weigh more
-than twice as much: {{counts-rss}} if independent and {{counts-worst}} at worst.
+{{outcome:table-appendix-a/accurate}}. Here and below the errors have the unit of the speeds, as in
+the appendix's sum; which unit that is does not matter. If the speeds are counts of teeth in a
+second (see the fold on load and speed) and the errors rpm, all four make {{counts-rss}} if
+independent and {{counts-worst}} at worst.
 
 The worst case is checked without any derivative. `largest_by_corners` evaluates (1) at all sixteen
 corners of the box of errors, each of which is either added or subtracted, and takes the largest
@@ -37,8 +38,8 @@ distance from the creep in the middle:
   Appendix B, where the first two use 0.2256. With 0.2256 it would be {{third-term}}.
 * Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm,
   "0.009" for 0.0069 and "22238" for 0.2238. The paper's results need the second of each pair.
-* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
-  one. The paper does not explain the difference.
+* For the big wheel 1/144 is taken, in rpm one tooth in a minute, and for the small one 0.2. The
+  paper does not explain the difference.
 * The radii of Appendix A cannot be those of its two speeds. At 518 and 116 rpm they give a creep of
   {{xi-wrong-sign}}: a braked wheel would run *ahead*. With the radii of Appendix B it is
   {{xi-right-sign}}. The sizes of the errors hardly depend on this.
@@ -72,9 +73,10 @@ speed of 8.224 km/h for "near 50 rpm". At exactly 50 rpm the rim of the big whee
 The nomenclature gives the speeds of the wheels in rpm. But 116 and 99.2 rpm, those of the two
 appendices, are {{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are counts of the
 gear's 144 teeth in a *second*, Appendix A's 116 are {{rpm-by-teeth}}, which is near 50, and
-{{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}. The paper
-does not decide it. Its creep does not depend on it, since only the ratio of the speeds enters, but
-the errors of Appendix A do. {{outcome:table-text/speed}}
+{{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}. The
+publisher's listing has 5 miles per hour, {{five-mph}}. {{outcome:table-text/speed}} So the speeds
+seem to be counts of teeth. The creep does not depend on it, since only the ratio of the speeds
+enters, and the errors of Appendix A do only if their unit is another one.
 
 :::
 
@@ -313,6 +315,7 @@ void text(report::Item& item) {
   const double by_teeth = rim_speed(big, rpm_by_teeth(nominal.big_speed));
   row("speed", by_teeth,
       report::relative(0.005, "\"near 50 rpm\" is read as Appendix A's 116, in counts a second"));
+  item.value("five-mph", 5 * units::mph / units::kilometre_per_hour, "km/h", "{:.2f}");
   item.value("load-exact", 1000 * units::lbf, "N", "{:.3f}");
   report::values(item, "km/h", "{:.2f}", "speed-50", rim_speed(big, 50), "speed-by-teeth",
                  by_teeth);
@@ -327,8 +330,8 @@ void text(report::Item& item) {
 }  // namespace
 
 creep_chapter::CreepError creep_chapter::appendix_a_error() {
-  const Terms t = terms(nominal, error);
-  return {t.worst, t.rms};
+  const Terms t = terms(nominal, error), by_teeth = terms(nominal_by_teeth(), error);
+  return {t.worst, t.rms, by_teeth.worst, by_teeth.rms};
 }
 
 const report::Section creep_chapter::appendices{report::table("table-appendix-a", rows),

@@ -3,14 +3,14 @@
 
 The measured points stand in the paper's figures only, which are lost to us. The paper's *reduction*
 is its way from the points to one curve. To see what it can do, we take the theory for the truth,
-add the errors that the paper states, and reduce the points as the paper does. **Every point below
+add errors, and reduce the points as the paper does. **Every point below
 is synthetic**, and the figures say so. What is assumed:
 
 * four loads of 500, 1000, 1500 and 2500 lbf (1 lbf is 4.448 N); the paper prints one, 4449.72 N or
   1000 lb;
 * the longer axis of the ellipse along rolling;
 * a largest friction coefficient $\mu_c$ of 0.5 at 1000 lbf, falling with the load to the power
-  −{{exponent}};
+  −{{exponent}}, and 28 points a test (free choices);
 * contact areas 1.1 to 1.9 times Hertz's, by wear, and measured with an error of 3 %;
 * errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard
   deviations.
@@ -23,13 +23,13 @@ that it finds the area again.
 {{fig-03}}
 
 Two statements of the paper on its own points do not fit these. It says "The dispersion of values is
-very large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of
-$\mu_c$ (root mean square). Whatever else scattered the paper's points is missing here, so what the
-reduction achieves below is a best case. And it says that the curves of its Figure 8 are "almost
-parallel, indicating a common decreasing trend". The four areas assumed here, in no order, break
-that trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf and {{mu-2500}} at 2500 lbf,
-while $\mu_c$ falls, so these two curves cross. In the paper either the four areas must have been
-closer together or have followed the load, or the friction must have fallen more steeply with it.
+very large"; here the errors of creep and force alone scatter the points about their curves by
+{{dispersion}} of $\mu_c$ (root mean square). And it says that the curves of its Figure 8 are
+"almost parallel, indicating a common decreasing trend". The four areas assumed here, in no order,
+break that trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf and {{mu-2500}} at
+2500 lbf, while $\mu_c$ falls, so these two curves cross. In the paper either the four areas must
+have been closer together or have followed the load, or the friction must have fallen more steeply
+with it.
 
 ### Friction and area against the load
 
@@ -74,8 +74,7 @@ area they fall on one line, which is the theory's, since the points were made fr
 {{fig-11}}
 
 The upper scale of the figure uses full axes for $a$ and $b$, as the paper's nomenclature and
-equation (4) have them. The lower one uses semi-axes, as Kalker and this page do. They differ by a
-factor of four.
+equation (4) have them. The lower one uses semi-axes, as Kalker and this page do.
 
 {{table-collapse}}
 
@@ -85,7 +84,7 @@ it is {{spread-true}} above. The points of all tests scatter about the curve by 
 Hertz's area and by {{rms-true}} with the measured one (root mean square of $\mu/\mu_c$). The second
 number is what the errors of force, creep and area make by themselves.
 Vermeulen and Johnson's curve lies at most {{vj-apart}} above the full theory's, somewhat more than
-a single point scatters; whether four tests together can tell the two apart was not tried.
+a single point scatters.
 
 The fit also finds the contact area of a test from its creep curve alone, without the replica tape.
 In these four tests the area found is within {{factor-error}} of the true one; over {{draws}}
@@ -117,8 +116,8 @@ using namespace railbook::creep_chapter;
 namespace {
 
 constexpr const char* synthetic =
-    "the paper's measured points are lost; these are synthetic, made from the theory and the "
-    "stated errors";
+    "the paper's measured points are lost; these are synthetic, from the theory and the errors "
+    "listed above";
 constexpr double creep_error = 0.0005 / 2, force_error = 22.249 / 2, area_error = 0.03;
 constexpr std::uint64_t repetitions = 100;
 
@@ -427,7 +426,7 @@ void four_tests(report::Item& item) {
                  100 * fitted_scatters()[k], test.friction, mean.friction);
     item.agree("factor-" + number, "area over Hertz's from the curve, test " + number, "",
                mean.area_factor, test.area_factor, 0.15,
-               "the area put in, through 28 points with the stated errors");
+               "the area put in, through 28 points with the errors listed above");
   }
   const auto by_hertz = range_of([](const Test& t) { return t.average.area_factor; });
   const auto by_measured =

@@ -4,9 +4,9 @@ set output ARG2
 set terminal pngcairo size 1100,390 font "DejaVu Sans,13" enhanced background rgb "white"
 unset key
 set multiplot
-set xrange [-0.001:0.02]
+set xrange [-0.0006:0.012]
 set yrange [0:0.65]
-set xtics 0,0.01,0.02
+set xtics 0,0.004,0.012
 set ytics 0.2
 set label 2 "synthetic points, not the paper's" at screen 0.06,0.97 tc rgb "#BE5400"
 do for [k=1:4] {
@@ -32,6 +32,7 @@ set bmargin at screen 0.15
 set ylabel "friction coefficient µ" offset 0.5,0
 set format y "%g"
 set xrange [0:0.02]
+set xtics 0,0.005,0.02
 set ytics 0.1
 set yrange [0:0.6]
 set xlabel "creep ξ"

@@ -23,7 +23,7 @@ plot ARG3 using "X":"vermeulen_johnson" with lines lt 8 lw 2, \
 unset for [i=1:4] label i
 unset for [i=1:4] arrow i
 set xlabel "cells along rolling (half as many rows)"
-set ylabel "mean error of f over the curve"
+set ylabel "mean error of f at six creeps"
 set logscale xy
 set xrange [3.5:28]
 set yrange [1e-4:0.1]
@@ -31,7 +31,7 @@ set format y "10^{%T}"
 set xtics (4,6,8,12,16,24)
 set label 1 "cells just fill the rows" at 9,0.028 left tc rgb blue
 set label 2 "ends of the rows placed" at 7.3,0.0022 left tc rgb "#BE5400"
-set label 3 "slope −1" at 4.1,0.0075 left tc rgb "#606060"
+set label 3 "slope −1" at 13.5,0.0078 left tc rgb "#606060"
 set label 4 "slope −2" at 5.6,0.00035 right tc rgb "#606060"
 plot ARG5 using "cells":"filled" with linespoints lt 2, \
      ARG5 using "cells":"placed" with linespoints lt 3, \

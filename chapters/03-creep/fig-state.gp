@@ -19,13 +19,13 @@ set label "along, highest" at 1.008,AH_min left tc rgb blue
 set label "across, highest" at 1.008,CH_min+0.04 left tc rgb "#BE5400"
 set label "along, as printed" at 1.008,A_min+0.03 left tc rgb blue
 set label "across, as printed" at 1.008,C_min+0.14 left tc rgb "#BE5400"
-set label "along, lowest" at 1.008,AL_min-0.02 left tc rgb blue
+set label "along, lowest" at 1.008,AL_min-0.06 left tc rgb blue
 set label "across, lowest" at 1.008,CL_min left tc rgb "#BE5400"
 set arrow from 0.302,1 to 1,1 nohead ls guide
 set label "Hertz's area" at 0.32,0.86 left tc rgb "#606060"
-plot ARG1 using "mu_c":"along_low" with lines lw 1.2 dt solid lc rgb blue, \
-     ARG1 using "mu_c":"along_high" with lines lw 1.2 dt solid lc rgb blue, \
-     ARG1 using "mu_c":"across_low" with lines lw 1.2 dt solid lc rgb red, \
-     ARG1 using "mu_c":"across_high" with lines lw 1.2 dt solid lc rgb red, \
+plot ARG1 using "mu_c":"along_low" with lines lw 1.4 dt (8,6) lc rgb blue, \
+     ARG1 using "mu_c":"along_high" with lines lw 1.4 dt (8,6) lc rgb blue, \
+     ARG1 using "mu_c":"across_low" with lines lw 1.4 dt (8,6) lc rgb red, \
+     ARG1 using "mu_c":"across_high" with lines lw 1.4 dt (8,6) lc rgb red, \
      ARG1 using "mu_c":"along" with lines lw 3 dt solid lc rgb blue, \
      ARG1 using "mu_c":"across" with lines lw 3 dt solid lc rgb red

@@ -16,29 +16,28 @@ about a locomotive.
 1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve
    it is necessary to utilize the actual nominal area of contact rather than the theoretical area of
    contact". Its measured points are lost to us, so we cannot test this on them. The paper prints
-   one complete reading, a friction of 0.3 at a known load and creep. That reading agrees with the
-   statement but does not prove it, for the two speeds behind its creep are rounded.
-   {{outcome:table-state/true-area}} Even if friction had no limit, it needs an area of
-   {{least-along}} times that of smooth new wheels if the longer axis of the contact ellipse lies
-   along rolling, and {{least-across}} times if it lies across; the paper does not say which. A
-   finite limit of friction raises these numbers.
+   one complete reading, a friction of 0.3 at a known load and creep. That reading is compatible
+   with the statement but does not prove it. {{outcome:table-state/true-area}} By the rounding of
+   its two speeds alone, and if friction had no limit, it needs an area of {{least-along}} times
+   that of smooth new wheels if the longer axis of the contact ellipse lies along rolling, and
+   {{least-across}} times if it lies across; the paper does not say which. A finite limit of
+   friction raises these numbers.
 2. **Does a larger contact creep less, in proportion?** The paper, for tests in which the ellipse
    keeps its ratio of axes: "the product of the creep and the area of contact must be a constant".
    In Kalker's theory of rolling contact this is exact while the ratio is kept.
    {{outcome:table-law/constant}} If wear flattens only the profile of the wheel, the ratio changes
    and the product rises: by {{rise-moderate}} while the area grows by {{area-moderate}}, and by
-   {{rise-worst}} at three times the profile radius. If the rig had no other errors than those that
-   the paper states, a pair of tests, one with new and one with worn wheels, would have shown the
-   larger rise (at {{sigmas-worst}} standard deviations) and missed the smaller one.
-   {{outcome:table-law/visible}}
+   {{rise-worst}} at three times the profile radius. With the paper's errors of creep and force, an
+   error of the area of 3 %, which we assume, and no others, a pair of tests, one with new and one
+   with worn wheels, would have shown the larger rise (at {{sigmas-worst}} standard deviations) and
+   missed the smaller one. {{outcome:table-law/visible}}
 3. **How accurate is a measured creep?** "Accurate to 0.0005", says the paper, and calls this an
-   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent and
-   the speeds are in rpm, which agrees with the figure. If the speeds are counts of teeth in a
-   second, as the printed km/h suggest, they make {{counts-rss}}.
-   {{outcome:table-appendix-a/accurate}} It is not an upper bound: at worst the errors make
-   {{xi-worst}}, and {{worst-range}} by other readings, if a radius is known to 0.0254 mm. The
-   appendix once prints a tenth of this, but computes with it. In its sum the errors partly cancel.
-   {{outcome:table-appendix-a/upper-bound}}
+   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, which
+   agrees with the figure. {{outcome:table-appendix-a/accurate}} They are taken to have the unit of
+   the speeds, as in the appendix; if the speeds are counts of teeth in a second, as the printed
+   km/h suggest, and the errors rpm, they make {{counts-rss}}. But 0.0005 is no upper bound: at
+   worst the errors make {{xi-worst}}, and {{worst-range}} by other readings, since they partly
+   cancel in the paper's sum. {{outcome:table-appendix-a/upper-bound}}
 :::
 
 ## The idea
@@ -46,11 +45,10 @@ about a locomotive.
 C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth let a small wheel, for the locomotive's,
 run on a big one, for the rail, and brake it. They measured friction against creep at four loads,
 and brought all curves onto one with the help of Kalker's exact theory of rolling contact, on this
-page the *full theory*. A section below computes it. We have the
-paper as machine-read text, without its drawings. The measured points stand in the drawings, so our
-figures with points are rebuilt from the theory and say so. Tables and figures with a plain number
-are the paper's; those of this page are numbered 3.1 and so on. The heads of the tables name the
-section of the paper in brackets.
+page the *full theory*. We have the paper as machine-read text, without its drawings. The measured
+points stand in the drawings, so our figures with points are rebuilt from the theory and say so.
+Tables and figures with a plain number are the paper's; those of this page are numbered 3.1 and so
+on.
 
 **Creep.** A wheel that pulls, by a motor of its own, turns slightly faster than free rolling would
 need, and a braked one slightly slower. On the rig the *creep* $\xi$, also called longitudinal
@@ -130,11 +128,10 @@ points lie left of the curve.
   {{outcome:table-text/speed}}
 * **Replica and contact.** The paper found them similar and does not describe its tape. In our model
   of smooth wheels and a tape that gives way freely, (7) would lose {{loss-10}} of the area at 10
-  µm. {{outcome:table-replica/similitude}}
+  µm.
 
-*Not decided* is the direction of the ellipse's longer axis. Also, the nomenclature calls $a$ and
-$b$ axes. This makes $X$ in the paper's Figure 11 four times that of the theory with which it is
-compared, unless one of the two was converted, which the paper does not say. Finishes of "20 µm" and
+*Not decided* is the direction of the ellipse's longer axis, and whether $X$ in the paper's Figure
+11 has full axes, as the nomenclature says, or semi-axes, as the theory has. Finishes of "20 µm" and
 "15 µm" after polishing with 400 grit are likely microinches.
 
 *Lost* are the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9
@@ -158,8 +155,8 @@ everything that is listed above the synthetic experiment.
 
 What each theory costs and where the solver stops is on the [second page](03-creep-study.html),
 which lists the theories by name. For creep along the track without spin it says:
-{{curve-time-answer}} (The times are those of six forces; a node of the table is a creep at which
-the full theory was solved beforehand.)
+{{curve-time-answer}} (The first is a closed formula; the times are those of six forces; a node of
+the table is a creep at which the full theory was solved beforehand.)
 
 ## Use it
 
@@ -183,10 +180,10 @@ Creep curve
        0.004         1237            0            0   0.9268   0.235
 ```
 
-The columns are the creep, the forces along and across, the moment about the normal, the fraction of
-the friction limit that is used, and the fraction of the area that sticks. With `--out FOLDER` the
-command also writes the table and a picture, and `railbook creep table` makes a table for a vehicle
-code.
+The friction is 0.3 unless `--mu` says otherwise. The columns are the creep, the forces along and
+across, the moment about the normal, the fraction of the friction limit that is used, and the
+fraction of the area that sticks. With `--out FOLDER` the command also writes the table and a
+picture, and `railbook creep table` makes a table for a vehicle code.
 
 The picture that the command draws, here of a larger contact (6 mm by 4 mm) with a spin of 0.2
 rad/m:
@@ -195,8 +192,8 @@ rad/m:
 
 ## Try next
 
-* Where do FASTSIM and the full theory differ most? Change `--theory`, and compare with the block
-  above:
+* How far apart are FASTSIM and the full theory at a creep of 0.004? Change `--theory`, and compare
+  with the block above:
 
 ```console
 $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --wheel-young 207GPa --wheel-poisson 0.3 --rail-young 207GPa --rail-poisson 0.3 --to 0.004 --points 5 --theory fastsim

@@ -50,8 +50,6 @@ no thickness. With this tape a straight line through 10 and 20 µm would end {{l
 the true area, since the area grows with a fractional power of the thickness.
 
 The paper found agreement with theory both for the ratio of the axes and for the extrapolated area.
-One explanation is that a tape which is squeezed flat acts
-thinner than it is.
 
 {{fold}}
 */

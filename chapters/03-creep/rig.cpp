@@ -28,20 +28,19 @@ So the profile radius is {{profile-along}} if the longer axis lies along rolling
 {{profile-across}} if it lies across. The text does not say which, and each verdict below that
 depends on it is given for both. Where one direction had to be taken, we take the longer axis along
 rolling, as a locomotive wheel of 40 in has it on a rail whose head is rounded (crowned) to a radius
-of 10 in; the ratio is then {{locomotive-ratio}}. Also, a profile radius of {{profile-across}} would
-be larger than the rolling radius of the small wheel itself.
+of 10 in; the ratio is then {{locomotive-ratio}}.
 
 {{table-ellipse}}
 
-**Pressures.** No modulus is printed; used here are Young's modulus 207 GPa and $\nu$ = 0.3. The
+**Pressures.** No modulus is printed; used here are Young's modulus 207 GPa and $\nu$ = 0.3, so that
+$G$ = {{shear}}. The
 paper wants the contact stresses to be "similar to those of the locomotive and rail". The same
 locomotive wheel under 30 000 lbf has a largest pressure of {{locomotive-peak}} (1 ksi is 6.895
-MPa), and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's
+MPa), and the publisher's summary, which our copy lacks, has 1070 steel and stresses up to about
+200 ksi. The rig's
 largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the longer axis along rolling
 and {{peak-across}} with it across. Both lie within a factor of two of the locomotive's, which is
-how we read "similar" {{outcome:table-ellipse/stresses}}. A largest pressure of 200 ksi takes a load
-of {{load-200-along}} on the rig if the longer axis lies along rolling, and of {{load-200-across}}
-if it lies across.
+how we read "similar" {{outcome:table-ellipse/stresses}}.
 
 {{fold}}
 */
@@ -119,11 +118,6 @@ contact::HertzContact locomotive_contact() {
                                    modulus(), 30e3 * units::lbf);
 }
 
-// The load [lbf] at which the largest pressure is 200 ksi; it is `peak` [ksi] at the paper's.
-double load_at_200(double peak) {
-  return paper_load / units::lbf * std::pow(200 / peak, 3);
-}
-
 void ellipse(report::Item& item) {
   item.columns({{"load, N", "{:.2f}"},
                 "longer axis",
@@ -137,7 +131,7 @@ void ellipse(report::Item& item) {
       item.add_row(load, along ? "along" : "across", c.a / 1e-3, c.b / 1e-3,
                    units::pi * c.a * c.b / 1e-6, c.p_max / units::megapascal);
     }
-  item.rebuilt("material and profile radius are not printed; those used are stated above");
+  item.rebuilt("our copy prints neither material nor profile radius; those used are stated above");
   item.expect_checks(3);
   const auto locomotive = locomotive_contact();
   item.print("ratio", "longer axis by shorter axis, typical of U.S. locomotives", "", "1.568",
@@ -160,8 +154,7 @@ void ellipse(report::Item& item) {
         {along_peak, across_peak, track_peak, along_peak / track_peak, across_peak / track_peak}}});
   report::values(item, "ksi", "{:.0f}", "locomotive-peak", track_peak, "peak-along", along_peak,
                  "peak-across", across_peak);
-  report::values(item, "lbf", "{:.0f}", "load-200-along", load_at_200(along_peak),
-                 "load-200-across", load_at_200(across_peak));
+  item.value("shear", shear_modulus / units::gigapascal, "GPa", "{:.1f}");
   item.value("contact-share", 100 * 2 * along_contact.b / along, "%", "{:.1f}");
   item.value("curvature-ratio", rolling_radius / along, "", "{:.6f}");
   item.value("profile-along", along / units::millimetre, "mm", "{:.3f}");

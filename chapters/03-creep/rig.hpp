@@ -66,9 +66,11 @@ rolling::ForceTable curve_table(int nodes, const rolling::RollingOptions& option
 // From such a table, to about 2e-4; odd in X, and beyond X = 2 the value there.
 double master_curve(double x, bool major_along_rolling = true);
 
-// What the errors of Appendix A make of the creep, at their worst and if they are independent.
+// What the errors of Appendix A make of the creep, at their worst and if they are independent; then
+// the same if the speeds are counts of teeth in a second and their errors rpm.
 struct CreepError {
   double worst = 0, independent = 0;
+  double worst_by_teeth = 0, independent_by_teeth = 0;
 };
 CreepError appendix_a_error();
 

@@ -23,8 +23,10 @@ bound above, which is `friction_at_most`:
 The reading does not decide the question. The two speeds are printed to 0.1 rpm, and within that
 rounding the creep is {{creep-range}}: not one digit of it is certain. Without a limit of friction
 the reading needs {{least-along}} times Hertz's area with the longer axis along rolling, and
-{{least-across}} times with it across. With the errors of Appendix A it is {{least-independent}}
-along if they are independent, and {{least-worst}} at worst.
+{{least-across}} times with it across. With the errors of Appendix A instead of the rounding it is
+{{least-independent}} along if they are independent, and {{least-worst}} at worst; both together, at
+worst, give {{least-together}}. If these errors are rpm where the speeds are counts of teeth in a
+second, they alone give {{least-teeth-independent}} and {{least-teeth-worst}}.
 
 A finite $\mu_c$ raises these numbers. At $\mu_c$ = 0.5 they are {{half-along-range}} along and
 {{half-across-range}} across, and along they stay above {{one-along-low}} even at $\mu_c$ = 1, a
@@ -34,9 +36,9 @@ say how it lay {{outcome:table-state/true-area}}.
 
 {{fig-state}}
 
-One more doubt remains. Suppose that the paper computed $X$ with full axes, which makes it four
-times as large, and compared it with Kalker's curve for semi-axes. Then the reading fits Hertz's
-area along rolling without any wear, at $\mu_c$ = {{mu-full-axes}}, that is in full slip.
+If the paper computed $X$ with full axes, four times as large, and compared
+it with Kalker's curve for semi-axes, then its plot puts this reading on the curve with Hertz's area
+too, on the flat end for $\mu_c$ = {{mu-full-axes}}, and proves nothing.
 
 {{fold}}
 */
@@ -123,8 +125,8 @@ void needed_area(report::Item& item) {
                 {"across: area at least", "{:.2f}"},
                 {"across: area for µ_c = 0.5", "{:.2f}"}});
   item.rebuilt(
-      "areas are over Hertz's; from the printed speeds, radii, load and friction; the "
-      "material and the direction of the major axis are not printed");
+      "areas are over Hertz's; from the printed speeds, radii, load and friction; our copy prints "
+      "neither material nor direction; errors in the unit of the speeds");
   for (const auto& [what, creep] : possible_creeps()) {
     const Need along = need(creep, true), across = need(creep, false);
     item.add_row(what, creep, along.friction_at_most, along.least_area, along.area_at_half,
@@ -151,6 +153,12 @@ void needed_area(report::Item& item) {
         least_factor(printed_creep - error.independent, true));
   range("least-worst", least_factor(printed_creep + error.worst, true),
         least_factor(printed_creep - error.worst, true));
+  range("least-together", least_factor(most_creep + error.worst, true),
+        least_factor(least_creep - error.worst, true));
+  range("least-teeth-independent", least_factor(printed_creep + error.independent_by_teeth, true),
+        least_factor(printed_creep - error.independent_by_teeth, true));
+  range("least-teeth-worst", least_factor(printed_creep + error.worst_by_teeth, true),
+        least_factor(printed_creep - error.worst_by_teeth, true));
   report::values(item, "", "{:.2f}", "mu-most", friction_at_most(printed_creep, true),
                  "one-along-low", factor(1, most_creep, true), "mu-full-axes",
                  friction_by_full_axes());
@@ -165,7 +173,7 @@ void reading(report::Item& item) {
               factor(friction, least_creep, true), factor(friction, printed_creep, false),
               factor(friction, most_creep, false), factor(friction, least_creep, false));
   }
-  item.rebuilt("from the printed speeds, radii, load and friction; the material is not printed");
+  item.rebuilt("from the printed speeds, radii, load and friction; our copy prints no material");
 }
 
 }  // namespace

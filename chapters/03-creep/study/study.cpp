@@ -15,7 +15,7 @@ $\mu_cN\sqrt{ab}$. These are the ways to compute them:
 | shen-hedrick-elkins | a closed formula with Kalker's slopes (Shen, Hedrick and Elkins 1983) | small spin |
 | polach | a closed formula with one stiffness and an added force by spin (Polach 1999) | no moment |
 | fastsim | Kalker's simplified theory: a place yields to the traction at that place only (1982) | any spin, roughly |
-| fastrip | an exact solution strip by strip (Sichani, Enblom and Berg 2016) | no spin |
+| fastrip | each strip along rolling solved exactly, as a plane contact; the sum is approximate (Sichani, Enblom and Berg 2016) | no spin |
 | vermeulen-johnson | a closed formula (1964) with a slope of its own | no spin |
 | linear | Kalker's slopes alone, without a limit of friction | small creep |
 
@@ -27,10 +27,9 @@ All but the full theory and the tables have the names of the option `--theory` o
 
 ## Stability
 
-What defeats the solver? A case *holds* when its error stays within the bound set for it, and
-*degrades* when it loses accuracy in the way stated. None of the cases is *refused*, that is, left
-without a number. Errors of forces are fractions of $\mu_cN$; those of a creep, of a moment and of
-coefficients are relative.
+What defeats the solver? A case *holds* when its error stays within the bound set for it. One case
+*degrades*: it has two answers, and the solver cannot choose. Errors of forces are fractions of
+$\mu_cN$; those of a creep, of a moment and of coefficients are relative.
 
 {{include: stability.cpp}}
 */
