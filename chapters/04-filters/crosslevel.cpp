@@ -87,7 +87,7 @@ void roll(report::Item& item) {
 }
 
 void table_corrections(report::Item& item) {
-  item.rebuilt("track, car and ride are chosen");
+  item.rebuilt("track and car are chosen");
   item.columns(
       {"left out", "measurement", {"RMS error with it, mm", "{:.3g}"}, {"without", "{:.3g}"}});
   const Record record = cruise(main_line(), 60 * mph);

@@ -27,16 +27,15 @@ inclinometer; at 80 mph the sway of the body adds to it.
 {{table-curvature}}
 
 The track of this table has a smooth line, so that the errors of the sensors can be seen. On the
-standard track, whose line is not smooth, the error at 60 mph with perfect sensors is larger, and
-larger still if the motion of the body against its trucks is not subtracted.
-{{outcome:table-curvature/trucks}}
+standard track, whose line is not smooth, the error with perfect sensors is larger, since the trucks
+do not follow it exactly, and larger still if the motion of the body against its trucks is not
+subtracted. {{outcome:table-curvature/trucks}}
 
 A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2
 mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make
-{{curvature-2}}. This is why the operator *debiases* the gyro: what it reads while the car stands is
-subtracted from then on. After a minute of this, {{curvature-2-cured}} of the error is left at 2
-mph, mostly the gyro's noise, which hides what is left of the bias
-{{outcome:table-curvature/debias}}.
+{{curvature-2}}. This is why the operator *debiases* the gyro. After a minute of this,
+{{curvature-2-cured}} of the error is left at 2 mph, mostly the gyro's noise, which hides what is
+left of the bias {{outcome:table-curvature/debias}}.
 
 {{fold}}
 */
@@ -57,7 +56,7 @@ using namespace geometry_car;
 namespace {
 
 void fig_curve(report::Item& item) {
-  item.rebuilt("track, ride, corners and sensors are chosen");
+  item.rebuilt("track, car, corners and sensors are chosen");
   auto& data = item.data({"x_ft", "mph", "curvature_deg_per_100ft", "curvature_true",
                           "crosslevel_mm", "crosslevel_true"});
   const Line& line = main_line();
@@ -91,7 +90,7 @@ Added added(const Measurement& with, const Measurement& without) {
 }
 
 void table_curvature(report::Item& item) {
-  item.rebuilt("track without roughness of its line; ride, corners and sensors are chosen");
+  item.rebuilt("track without roughness of its line; car, corners and sensors are chosen");
   item.columns({{"mph", "{:g}"},
                 {"perfect sensors, deg/100 ft", "{:.5f}"},
                 {"bias and noise add, RMS", "{:.4f}"},

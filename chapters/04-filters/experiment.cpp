@@ -15,8 +15,7 @@ inclinometer have a *bias*, a constant error, of 1 mg (a thousandth of gravity),
 and a converter of 12 bits over ±1 g. Both gyros have a bias of 0.005 deg/s and noise of 0.005
 deg/s/√Hz. Each displacement sensor reads in steps of 0.1 mm. Before each run the car stands for a
 minute and the yaw gyro is *debiased*: the mean of what it reads at rest is subtracted from then on.
-The noise of that minute leaves {{residual-bias}} of bias. *Perfect sensors* have no error at all;
-the command calls them `ideal`.
+The noise of that minute leaves {{residual-bias}} of bias. *Perfect sensors* have no error at all.
 
 {{fold}}
 */

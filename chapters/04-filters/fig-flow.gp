@@ -1,4 +1,4 @@
-# alt: Above, a chain of six boxes joined by arrows: track and car, sensor, analog filter B, sample each foot, digital filter C, chord.
+# alt: Above, a chain of six boxes joined by arrows: track and car, sensor, analog filter B, sample each foot, digital filter C, curvature.
 # alt: An encoder under the sampler gives the time of each foot to it and to the digital filter.
 # alt: Below left, the weight with which an analog filter alone remembers the track behind the sample: over some two feet at 9 mph and tens of feet at 80 mph.
 # alt: Below right, the weight behind the digital filter: a box over the last foot at both speeds, slightly tilted at 9 mph, and nothing beyond.

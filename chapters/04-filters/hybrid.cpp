@@ -67,9 +67,10 @@ filter.
 
 The paper calls its $C$ a bandpass, a filter that passes neither long nor short waves as well as
 those between. Ours is the shortest that undoes $B$, and its gain rises all the way to the shortest
-wave. It becomes a bandpass if a low-pass that is fixed in space follows it, and the product then
-stays as independent of speed as it was {{outcome:fig-08/bandpass}}. The paper does not mention such
-a low-pass.
+wave. It becomes a bandpass if a low-pass that is fixed in space follows it, which the paper does
+not mention. The wavenumber from which it rises then varies with the speed, as the corner of $B$
+does, that of its peak hardly, and its product with $B$ stays as independent of speed as it was
+{{outcome:fig-08/bandpass}}.
 
 {{fig-09}}
 
@@ -162,6 +163,13 @@ double spread(double (*of)(const Gains&)) {
   return largest;
 }
 
+// Where C has risen to sqrt(2), cycle/m.
+double rise(double speed) {
+  return num::find_root([&](double phi) { return gains(speed, phi).digital - std::sqrt(2.0); },
+                        1e-4, 0.5 / sample_distance)
+      .x;
+}
+
 // With the low-pass behind it: the gain has its maximum inside, well above both ends.
 bool is_bandpass(double speed) {
   double largest = 0, first = 0, last = 0;
@@ -203,7 +211,8 @@ void fig_08(report::Item& item) {
   item.value("amplified", gains(fast, 0.5 / sample_distance).digital, "", "{:.0f}");
   item.claims({{"bandpass",
                 {is_bandpass(slow) && is_bandpass(fast) ? 1.0 : 0.0,
-                 spread([](const Gains& g) { return g.band * g.analog; })}}});
+                 spread([](const Gains& g) { return g.band * g.analog; }), rise(slow) / rise(fast),
+                 rise(slow) * units::foot, rise(fast) * units::foot}}});
 }
 
 void fig_09(report::Item& item) {

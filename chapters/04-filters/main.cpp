@@ -16,8 +16,8 @@ seconds, not in feet. Without a remedy the same rail therefore gives one record 
    analog filter that suppresses what is faster than {{corner}} (our choice, for the paper prints no
    corner for it). Waves of the track are then recorded at 9 and at 80 mph with gains that differ by
    at most {{spread}}, where a gain of 1 means full size. The same place of the track stands
-   {{offset-9}} apart in a run forwards and a run backwards at 9 mph; with the analog filter alone
-   it would be {{alone-9}}. These numbers hold for the gyro that senses curves; for the
+   {{offset-9}} apart in a run forwards and a run backwards at 9 mph; with the analog filter alone,
+   not shifted, it would be {{alone-9}}. These numbers hold for the gyro that senses curves; for the
    accelerometers of profile and alignment the distance is twice as large.
    {{outcome:fig-09/magnitude}}
 2. **What can still be measured when the car crawls?** The paper claims that only gage, the distance
@@ -81,49 +81,42 @@ unsteady clock, stops, reversals and faults do to them, is on the second page.
 
 ## Deviations
 
-Nothing in the paper is contradicted, though for alignment our model asks for a higher limit than 5
-mph. A claim would have failed if on our model the two speeds had given different curves, a
-correction had made an error larger, or gage and crosslevel had become worse at low speed. Our
-reconstruction differs from the paper, or may, in these points:
+Nothing in the paper is contradicted. Our reconstruction differs from the paper, or may, in these
+points:
 
-* **The digital filter $C$** is the shortest one that undoes $B$. The paper's is a bandpass, and so
-  may contain a fixed low-pass that it does not mention {{outcome:fig-08/bandpass}}. What is left of
-  the direction in ours, {{offset-9}} at 9 mph and {{offset-80}} at 80 mph, is in proportion to the
-  corner that we chose. {{outcome:small-kappa/direction}}
-* **Sensors of the profile**: ours does without the sway sensors, which the paper seems to use.
-  {{outcome:table-sensors/profile}}
+* **Alignment**: on our model its error grows from {{alignment-120}} at 120 mph to {{alignment-15}}
+  at 15 mph, of a signal of {{alignment-true}}, for our roll of the beam is not exact. So whether it
+  is "nearly independent" of the speed was not testable.
+* **The digital filter $C$** is the shortest one that undoes $B$. The paper's is a bandpass
+  {{outcome:fig-08/bandpass}} and similar to $B$; ours is the mirror image of $B$. What is left of
+  the direction is in proportion to the corner that we chose. {{outcome:small-kappa/direction}}
+* **Sensors of the profile**: ours needs no others than the paper names
+  {{outcome:table-sensors/profile}}, and does without the sway sensors, which the paper seems to use.
 * **Crosslevel**: only the yaw gyro is said to be debiased, so the bias of the roll gyro stays in
   ours.
 * **Chosen here**: the corners of $B$ and $F$, the poles of the roll filter and the mean of
   curvature, all in `configuration.hpp`; the high-pass and the track, which are options of `railbook
-  filters process` and `railbook filters simulate`; ride and sensors, which are defaults of the
-  library. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does
-  not state.
+  filters process` and `railbook filters simulate`; car and sensors, which are defaults of the
+  library.
 * **Damaged in our copy**: a fraction in the passage on curvature and a few signs of formulas, which
-  the words around them restore; Figures 2, 3, 7, 8, 9 and 13, which are pictures.
+  the words around them restore; Figures 2 to 4, 7 to 11, 13 and 14, which are pictures.
 
 ## Limits
 
 * $C$ and $G$ amplify everything behind the analog filter, the noise and the steps of the converter,
   by about $1/\kappa$ and $1/\kappa^2$; at the shortest wave $C$ does so by $2/\kappa$, which is
-  {{amplified}} at 80 mph. The lower the corner, the more independent of speed the record is, and
-  the noisier.
+  {{amplified}} at 80 mph.
 * The method depends on a digital filter that matches the analog one. A corner that is 1 % off its
-  nominal value makes an error of up to {{off-1-percent}} in profile at 60 mph (see the second
-  page).
-* The hybrid filter does not keep waves shorter than two samples from being taken for longer ones:
-  it still passes {{nyquist-gain}} of a wave of 2 ft.
+  nominal value makes an error of {{off-1-percent}} RMS in profile at 60 mph (see the second page).
+* Waves shorter than two samples are still taken for longer ones: the hybrid filter passes
+  {{nyquist-gain}} of a wave of 2 ft.
 * No sensor notices a worn wheel of the encoder, which stretches all wavelengths, or trucks that
   weave between the rails, which falsify curvature.
-* The long chord with its high-pass needs 330 samples on each side. So it is missing at 330 places
-  at each end, and on each side of a missing sample.
+* The long chord with its high-pass has 661 weights. So it is missing at 330 places at each end, and
+  on each side of a missing sample.
 * The simulated car is linear, except for what its angles do to the readings of the sensors. It has
   five modes; its wheels have no flanges and do not hunt, that is, weave between the rails; body and
   beam do not bend. The track does not yield under load, and the encoder neither slips nor wears.
-  Errors of a real car may well be larger.
-* A record whose median speed is below 0.5 m/s looks like one with a wrong unit of time. `railbook
-  filters process` then warns of the clock, and calls nothing in the record good but the gage. (A
-  caution about the clock: with a good one crosslevel is as accurate there.)
 
 ## Use it
 
@@ -196,7 +189,7 @@ $ railbook filters process slow.csv --out slow
 *Inertial and Inductive Measurement Techniques for Track Geometry*, contributed by the Dynamic
 Systems and Control Division of the American Society of Mechanical Engineers for its Winter Annual
 Meeting, Washington, D.C., 15-20 November 1981. So much stands in our copy. It names ENSCO and no
-author, paper number or DOI; these were looked up and not found. The page cites no other work.
+author, paper number or DOI; these were looked up and not found.
 
 ## Coverage
 

@@ -16,8 +16,8 @@ $$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin(N\theta/2)}{\sin(\theta/2
 is the square of the gain of a sum over $N$ samples. So to get the long offset exactly, sum the
 short ones over $N$ samples, and sum the result over $N$ samples again. Written out, this is their
 sum with the integer weights $N-|j|$, where $j$ counts samples from the middle: {{chord-taps}}
-weights for 62 ft. Every chord of an even number of feet is made in the same way; the middle of one
-of 31 ft lies between two samples. {{outcome:chords/any}}
+weights for 62 ft (661 with the high-pass below). Every chord of an even number of feet is made in
+the same way; the middle of one of 31 ft lies between two samples. {{outcome:chords/any}}
 
 {{chords: checks}}
 
@@ -30,7 +30,8 @@ two intervals, in which less cancels.
 {{code: filters/hybrid_filter.cpp constant_speed}}
 
 `short_chord` makes the short offset of the mean over two intervals. Its second term is that of a
-change of speed, with `step` for the last step of the path:
+change of speed, with `step` for the rise of the path over the last foot, zero where no grade is
+known, as here:
 
 {{code: filters/hybrid_filter.cpp short_chord}}
 

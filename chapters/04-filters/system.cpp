@@ -10,8 +10,9 @@ the front truck a beam reaches down between the rails. It carries a lateral acce
 gage sensors, which measure the distance to each rail without touching it. The gage is the sum of
 their two readings and of the distance between the two sensors.
 
-An encoder on an axle calls for a sample each foot, and a clock says how long the foot took. The
-place of a sample is known to half a foot, the 6 in of the paper.
+An analog filter $B$ of first order stands before both gyros, one of second order, $F$, before the
+accelerometers and the inclinometer, and none before the displacement sensors. An encoder on an axle
+calls for a sample each foot, and a clock says how long the foot took.
 
 {{fig-layout}}
 
@@ -192,7 +193,7 @@ std::size_t still_found(const Record& record) {
 }
 
 void table_system(report::Item& item) {
-  item.rebuilt("track, ride, corners and sensors are chosen");
+  item.rebuilt("track, car, corners and sensors are chosen");
   item.expect_checks(1);
   item.columns({"the paper says", "on our model"});
   const Line line = line_of({.length = 3000 * foot});
@@ -211,7 +212,7 @@ void table_system(report::Item& item) {
   item.verify("faults", "each sensor that stands still over 300 ft is named, and no other",
               seen == channels && quiet, "each of them, and no other",
               "our detection, on faults put into a simulated record");
-  item.add_row("an algorithm detects out-of-range and lack-of-activity faults",
+  item.add_row("an algorithm detects lack-of-activity faults (out of range: second page)",
                std::to_string(seen) + " of " + std::to_string(channels) +
                    " sensors that stand still are found (the encoder is not among them); no alarm "
                    "over 3000 ft without a fault");

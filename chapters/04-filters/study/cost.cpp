@@ -15,17 +15,17 @@ method prepares: its weights, and the tables of a transform.
 * **sums**: two running sums of 31 samples and four of 151, one after the other, started anew every
   4096 samples.
 * **stream**: the class `GeometryChain` of this project's library. It sums as above in blocks of
-  4096, also gives the space curve (the path of the rail without its long waves), and leaves out
-  what is missing.
+  4096, gives the space curve first (the path of the rail without its long waves) and makes the
+  chord of it, which costs digits, and leaves out what is missing.
 
 {{cost-length}}
 
 {{length-answer}} A busy machine makes such times uncertain, as their quartiles show; differences
-below a factor of three mean little. The operations a sample do not depend on it:
+below a factor of three mean little. The number of operations a sample is the same on any machine:
 {{operations-answer}}. The worst error found is {{rounding-found}}
 ({{outcome:cost-length/as-double}}), far below what a sensor resolves, so that accuracy does not
-decide. Take the **sums** where the chord is all that you want. Take the **stream** where samples
-are missing or the space curve is wanted too: it takes twice the operations.
+decide. Between **sums** and **stream** the times do not decide either. Take the **stream** where
+samples are missing or the space curve is wanted too, and otherwise either.
 
 {{work-precision: cost-length}}
 
@@ -41,8 +41,10 @@ double integration of an acceleration does:
 {{drift-answer}} The input is in whole units, so that a double adds it without error until a sum
 passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit
 integers there is no error at any length {{outcome:cost-drift/integers}}. So do not integrate along
-the track in single precision. In double precision both ways are good for any record; a filter that
-is to run for ever should start its sums anew, as the library's do.
+the track in single precision. In double precision the sums are good for any record tried, the
+integrators only while their sums stay below $2^{53}$ units; input that is not in whole units rounds
+from the first sample, and was not tried. A filter that is to run for ever should start its sums
+anew, as the library's do.
 
 {{fold}}
 */
@@ -344,15 +346,15 @@ void cost_drift(report::Item& item) {
     const auto at = kept ? counts.size() - 1 : static_cast<std::size_t>(lost - errors.begin());
     (kept ? kept_by : lost_by) +=
         fmt::format("{}{}{}", (kept ? kept_by : lost_by).empty() ? "" : ", ", name,
-                    kept ? "" : fmt::format(" ({} samples)", thousands(counts[at])));
+                    kept ? "" : fmt::format(" (within {} samples)", thousands(counts[at])));
   };
   run("sums in single precision", drift<float>(Endless::sums, period, counts));
   run("sums in double precision", drift<double>(Endless::sums, period, counts));
   run("integrators in single precision", drift<float>(Endless::integrators, period, counts));
   run("integrators in double precision", drift<double>(Endless::integrators, period, counts));
   item.value("drift-answer",
-             fmt::format("These reach an error of a thousandth of the RMS: {}. These do not, in {} "
-                         "samples: {}.",
+             fmt::format("An error of a thousandth of the RMS is reached by {}. It is not reached "
+                         "within {} samples by {}.",
                          lost_by, thousands(counts.back()), kept_by));
   const auto integers = drift<Word>(Endless::integrators, period, counts);
   item.expect_checks(1);

@@ -22,7 +22,8 @@ cancels between the two.
 ### How fine and how steady must the clock be?
 
 The time $T$ between two samples enters the profile squared. A clock that counts in steps rounds
-each time of passing to the next step:
+each time of passing to the next step. It loses no count: what it takes from one foot it gives to
+the next, so that for waves of many feet most of the error cancels.
 
 {{clock-step}}
 
@@ -128,7 +129,7 @@ void corner_off(report::Item& item) {
   item.value(
       "corner-answer",
       fmt::format(
-          "A corner that is 1 % off makes the error of the profile up to {:.2f} mm instead "
+          "A corner that is 1 % off makes the error of the profile {:.2f} mm RMS instead "
           "of {:.2f}. Since the error is nearly in proportion, a corner that is measured to "
           "{:.1f} % keeps it below 0.1 mm. The digital filter works with any corner; it only "
           "has to be told.",
@@ -139,8 +140,8 @@ void corner_off(report::Item& item) {
 void clock_step(report::Item& item) {
   item.added("not in the paper");
   item.columns({{"step, µs", "{:g}"},
-                {"its error, µs RMS", "{:.3g}"},
-                {"of the time of a foot, %", "{:.3g}"},
+                {"step, % of the time of a foot", "{:.3g}"},
+                {"error of a reading, µs RMS", "{:.3g}"},
                 {"profile, mm", "{:.3f}"},
                 {"alignment, mm", "{:.3f}"},
                 {"crosslevel, mm", "{:.3f}"}});
@@ -148,13 +149,13 @@ void clock_step(report::Item& item) {
   double coarsest = 0;  // that leaves the profile below 0.1 mm
   for (const double step : {1e-6, 1e-5, 1e-4, 2e-4, 5e-4, 1e-3}) {
     const Errors e = errors_of(with_clock_steps(clean, step));
-    item.add_row(1e6 * step, 1e6 * step / std::sqrt(12), 100 * step / (foot / (60 * mph)),
+    item.add_row(1e6 * step, 100 * step / (foot / (60 * mph)), 1e6 * step / std::sqrt(12),
                  e.profile / mm, e.alignment / mm, e.crosslevel / mm);
     if (e.profile < 0.1 * mm) coarsest = step;
   }
   item.value(
       "clock-answer",
-      fmt::format("A clock that counts in steps of {:g} µs is fine enough for 0.1 mm at 60 mph.",
+      fmt::format("Of the steps tried, the largest fine enough for 0.1 mm at 60 mph is {:g} µs.",
                   1e6 * coarsest));
   item.value("step-tolerable", 1e6 * coarsest, "µs", "{:g}");
 }
@@ -162,7 +163,7 @@ void clock_step(report::Item& item) {
 void clock_jitter(report::Item& item) {
   item.added("not in the paper");
   item.columns({{"error of a reading, µs RMS", "{:g}"},
-                {"of the time of a foot, %", "{:.3g}"},
+                {"error, % of the time of a foot", "{:.3g}"},
                 {"profile, mm", "{:.3f}"},
                 {"alignment, mm", "{:.3f}"},
                 {"crosslevel, mm", "{:.3f}"}});

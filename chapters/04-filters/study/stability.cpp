@@ -3,9 +3,10 @@ wrong: after a stop of an hour $C$ is right at the second sample. With a small $
 remains: it is amplified by $1/\kappa$ in $C$, and by $1/\kappa^2$ in $G$. The row that degrades is
 one of $C$: its error is given as a fraction of the interval $T$, which is itself short there.
 
-In the car's rows the error is the largest at any place of the record that the program calls *good*,
-and the number of these places is given. The bound is what *good* allows: 0.5 mm of profile and 2 mm
-of alignment; for crosslevel it is 7 mm, since from a crawl only the inclinometer knows it. A place
+In the car's rows the sensors are perfect but for the fault. The error is the largest at any place
+of the record that the program calls *good*, and the number of these places is given. The bound is
+what *good* allows for perfect sensors: 0.5 mm of profile and 2 mm of alignment; for crosslevel it
+is 7 mm, some three times the RMS error that the library states, for it errs most at speed. A place
 of the profile is not good if a foot within the 661 samples that it depends on was slower than 15
 mph or lost in a reversal, or if the change of speed on an unknown grade may cost too much. So a
 stop in the middle of 3400 ft, with its braking and its start, leaves few good places, and no
@@ -190,14 +191,14 @@ const CarCase car_cases[] = {
          m.cruise(350).change_speed(0, 1.5).stand(30).change_speed(cruising, 1.5).cruise(200);
        });
      }},
-    {"car-turn", "car: a stop, and back", "marks count down", usual,
+    {"car-turn", "car: a stop, and back", "the count of feet runs down", usual,
      [] {
        return driven(cruising, [](Motion& m) {
          m.cruise(350).change_speed(0, 1.5).stand(5).change_speed(-cruising, 1.5).cruise(100);
        });
      }},
-    {"car-brake", "car: emergency braking, 60 to 20 mph at 2.5 m/s²", "the grade is not known",
-     usual,
+    {"car-brake", "car: emergency braking, 60 to 20 mph at 2.5 m/s²",
+     "the car does not know the grade", usual,
      [] {
        return driven(cruising,
                      [](Motion& m) { m.cruise(350).change_speed(20 * mph, 2.5).cruise(600); });
@@ -205,8 +206,9 @@ const CarCase car_cases[] = {
     {"car-crawl", "car: alignment from a crawl of 0.3 m/s up",
      "the roll of the beam is not known, and gravity enters", levelling_degrades,
      [] { return driven(0.3, from_a_crawl, Parameter::alignment_left); }},
-    {"car-level", "car: crosslevel from a crawl of 0.3 m/s up", "only the inclinometer knows",
-     7 * mm, [] { return driven(0.3, from_a_crawl, Parameter::crosslevel); }},
+    {"car-level", "car: crosslevel from a crawl of 0.3 m/s up",
+     "at a crawl the inclinometer alone knows it", 7 * mm,
+     [] { return driven(0.3, from_a_crawl, Parameter::crosslevel); }},
     {"car-stuck", "car: a height sensor that stands still for 300 ft",
      "could be taken for a smooth ride", usual,
      [] {

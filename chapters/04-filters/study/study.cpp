@@ -8,7 +8,7 @@ root mean squares (RMS) without the first and the last 700 ft, so they differ a 
 a whole run there.
 
 How wrong may corner and clock be if the error of the profile at 60 mph is to stay below 0.1 mm? The
-next two sections find:
+next two sections find, of the steps and errors of the clock that were tried:
 
 | cause | tolerable |
 |---|---|
@@ -24,8 +24,6 @@ The long chord is the distance of the rail from the middle of a string of 62 ft.
 concern its arithmetic; the answers hold for any sensors.
 
 {{include: cost.cpp}}
-
-
 
 ## Stability
 
