@@ -77,8 +77,9 @@ Positions one_column(std::size_t column, const std::string& header, const std::s
   return p;
 }
 
-// 12+345.6 and 12K345.6M: thousands and ones. False when the cell is neither.
+// 12+345.6, K12+345.6 and 12K345.6M: thousands and ones. False when the cell is none of them.
 bool kilometres_and_metres(std::string_view cell, double& major, double& minor) {
+  if (cell.starts_with('K') || cell.starts_with('k')) cell.remove_prefix(1);
   if (cell.ends_with('M') || cell.ends_with('m')) cell.remove_suffix(1);
   const std::size_t at = cell.find_first_of("+Kk", 1);
   if (at == std::string_view::npos) return false;

@@ -66,6 +66,7 @@ TEST_CASE("unit: a place may be written in kilometres and metres, or in stations
   const std::string ones = "distance_m,profile_mm", feet = "distance_ft,profile_mm";
   for (const std::string& text :
        {rows(ones, [&](int i) { return "12+3" + two(i) + ".5,"; }),
+        rows(ones, [&](int i) { return "K12+3" + two(i) + ".5,"; }),
         rows(ones, [&](int i) { return "12K3" + two(i) + ".5M,"; }),
         rows(ones, [&](int i) { return "12k3" + two(i) + ".5m,"; }),
         rows("km,m,profile_mm", [&](int i) { return "12,3" + two(i) + ".5,"; })}) {
