@@ -89,3 +89,7 @@ contact_answers("tells three patches" "patches +3 .*patch 3: force" --body-1-pro
                 --body-1-radius-along 0.5m --approach 20um --cells-x 400 --cells-y 60)
 contact_answers("warns of a profile of too few points" "WARNING: every second point of the profiles alone would change"
                 --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/coarse.csv --body-1-radius-along 0.5m --approach 20um)
+# A profile whose x descends is the same profile.
+add_test(NAME "tool: contact reads a profile from either side"
+         COMMAND sh -c "{ sed '/x_mm/q' $1; sed '1,/x_mm/d' $1 | tac; } >$2.csv && cp $1 $2-as-is.csv && for f in $2-as-is $2; do $0 contact solve --body-1-profile $f.csv --body-1-radius-along 1e5m --body-2-radius-along 460mm --load 50kN --cells-x 24 --cells-y 24 --no-figures >$f.said || exit 1; done; tail -n +2 $2-as-is.said >$2.right; tail -n +2 $2.said | cmp $2.right"
+                 $<TARGET_FILE:railbook> ${PROJECT_SOURCE_DIR}/tools/examples/contact/rail.csv ${PROJECT_BINARY_DIR}/ctest/contact-turned)

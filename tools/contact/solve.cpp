@@ -41,7 +41,7 @@ spaces no longer say anything about it. Every refusal is one line, exit status 2
 
 namespace {
 
-// x and depth of a profile; heights are depths with the other sign.
+// x and depth of a profile, x ascending; heights are depths with the other sign.
 DepthPoints read_profile(const std::filesystem::path& file) {
   const table::CsvReader reader(file);
   bool height = false, depth = false;
@@ -57,7 +57,12 @@ DepthPoints read_profile(const std::filesystem::path& file) {
   const auto vector = [](const std::vector<double>& v) -> Eigen::VectorXd {
     return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()));
   };
-  return {vector(columns[0]), (height ? -1 : 1) * vector(columns[1])};
+  DepthPoints points{vector(columns[0]), (height ? -1 : 1) * vector(columns[1])};
+  if (points.x.size() > 1 && points.x[0] > points.x[points.x.size() - 1]) {
+    points.x.reverseInPlace();
+    points.depth.reverseInPlace();
+  }
+  return points;
 }
 
 Body body_of(const BodyOptions& options, int number) {
