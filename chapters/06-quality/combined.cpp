@@ -8,11 +8,12 @@ each rail. The paper puts both on one chart.
 
 The shape is the paper's: a rise with the square of the wavelength at both ends, and a constant
 level between. Where the level begins and ends depends on the vehicle, which is not printed; the
-figure at the head of the page draws it for any posted speed and body. With car A the level begins
-at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for the five
-speeds, where the paper says "<7 m"; with the loaded car B it begins at {{corner-B}} at 100 km/h.
-Beyond the upper end of the level, the amplitude has doubled at {{double-64}} for 64 km/h,
-{{double-100}} for 100 and {{double-177}} for 177 km/h, where the paper says ">100 m".
+figure at the head of the page, where it has sliders, draws it for any posted speed and body. With
+car A the level begins at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and
+{{corner-177}} for the five speeds, where the paper says "<7 m"; with the loaded car B it begins at
+{{corner-B}} at 100 km/h. Beyond the upper end of the level, the amplitude has doubled at
+{{double-64}} for 64 km/h, {{double-100}} for 100 and {{double-177}} for 177 km/h, where the paper
+says ">100 m".
 
 {{fold}}
 */

@@ -1,4 +1,4 @@
-# alt: Five parallel curves on logarithmic axes rise with the square of the wavelength, the one for 40 km/h highest and the one for 177 km/h lowest. They do not cross.
+# alt: Five parallel curves on logarithmic axes rise with the wavelength, at both ends with its square and with a shoulder from 2 to 20 m, the one for 40 km/h highest and the one for 177 km/h lowest. They do not cross.
 load "style.gp"
 set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set minussign

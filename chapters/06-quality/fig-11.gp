@@ -1,4 +1,4 @@
-# alt: Two pairs of curves against tonnage. The standard deviation of segment B grows faster than that of A; the number n falls below 3 for B at 1.9 units of tonnage and for A at four times as many.
+# alt: Two pairs of curves against tonnage. The standard deviation of segment B grows faster than that of A; the number n falls below 3 for B at 2.1 units of tonnage and for A at four times as many.
 load "style.gp"
 set terminal pngcairo size 740,370 font "DejaVu Sans,11"
 set output ARG2

@@ -1,4 +1,4 @@
-# alt: Against the length of a bump, the peak of the descriptor is near 0.95 at 3 m and falls to 0.1 at 200 m; the largest stroke rises from 0.4 at 3 m, and the two meet beyond 20 m.
+# alt: Against the length of a bump, the peak of the descriptor is near 0.95 at 3 m and falls to 0.02 at 200 m; the largest stroke is 0.4 up to 35 m and then falls, and the two meet between 80 and 90 m.
 load "style.gp"
 set terminal pngcairo size 740,310 font "DejaVu Sans,11"
 set output ARG2

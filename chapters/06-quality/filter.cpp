@@ -31,11 +31,11 @@ of a raised cosine, as high as the level.
 
 {{fig-bumps}}
 
-A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke
-limit. A single bump has no time to excite the resonance on which the filter counts. Most bumps are
-over-estimated, by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to
-{{over-limit}} times for still shorter ones. The worst under-estimate is {{under-most}}, at
-{{under-at}}.
+A short bump of 10 m reads {{bump-10}} ({{read-bump}} in {{fig-01}}, with the waves behind it),
+while no speed uses up more than {{stroke-10}} of the stroke limit. A single bump has no time to
+excite the resonance on which the filter counts. Most bumps are over-estimated, by {{over-most}}
+times at {{over-at}}, the shortest drawn, and by up to {{over-limit}} times for still shorter ones.
+The worst under-estimate is {{under-most}}, at {{under-at}}.
 
 {{fold}}
 */

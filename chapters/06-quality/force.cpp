@@ -14,8 +14,7 @@ $q^2=(1+r)\rho^2$ and $f''^2=(1+r)f'^2$ belong to the body and the wheel togethe
 of (6) cannot be read in our copy; this is the one that (5) gives.
 
 We compute the same in another way. The force is the two masses times their accelerations, $G=-(2\pi
-f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the body. This also holds
-for a wheel without mass.
+f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the body. 
 
 {{table-equations}} compares both equations with (1) and (2) integrated in time.
 
@@ -29,7 +28,7 @@ static load leaves, divided by the gain $|G/Z|$, is the allowed amplitude:
 The paper prints no masses, springs or dampers. We take the part that rests on one wheel of three
 cars from `data/cars.csv`. All have a wheel of 800 kg, half the critical damping, and a bounce, the
 up-and-down motion of the body, at 2 Hz: car A with a body of 7000 kg, car B, a loaded 70-ton car,
-with 11 700 kg, and car C, a loaded 100-ton car, with 14 090 kg. The figure shows car A.
+with 11 700 kg, and car C, a loaded 100-ton car, with 14 090 kg. 
 
 The curves of this car do not cross. They would if the gain $|G/Z|$ fell with frequency anywhere,
 because a slower train would then need the smoother track. The least damping that prevents it
@@ -165,7 +164,7 @@ void table_damping(report::Item& item) {
   item.value("enough-damping", std::ceil(1000 * enough_damping()) / 1000, "", "{:.3f}");
   item.value("damping-light", quality::least_damping_without_peak(0.5), "", "{:.2f}");
   item.expect_checks(1);
-  item.at_least("least", "least of these bounds, for M/m of 2 and more", "", least, 0.2,
+  item.at_least("least", "least of these bounds, for M/m from 2 to 100", "", least, 0.2,
                 "the damping printed for the roll mode, with which the curves would cross");
   item.added("the paper states that its curves do not cross, not when");
 }

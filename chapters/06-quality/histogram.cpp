@@ -4,10 +4,9 @@ A geometry car, which measures track while it runs, gives over 5000 values a kil
 filter gives as many. The foreman needs each value beyond $T_2$, the threshold for immediate repair.
 The planner needs the *histogram*, which says how often each value occurs.
 
-The paper first weighs the two kinds of index in use. Averages, such as the rms value, suppress the
-single bad places, and counts of exceptions need thresholds, which so far "have been set
-arbitrarily". With a descriptor that is tied to the vehicle there is a reason for a threshold. So
-the paper proposes to say both at once, and writes
+Averages, such as the rms value, suppress the single bad places, and counts of exceptions need
+thresholds, which so far "have been set arbitrarily", says the paper. A descriptor that is tied to
+the vehicle gives a reason for a threshold. So the paper writes
 
 $$T_2=\bar p+ns$$
 
@@ -34,10 +33,11 @@ here {{risk}}. With 5000 values a kilometre that would be about one derailment a
 value were a trial of its own. Neighbouring values are not, and the histogram is ours: the number
 shows how the formula works, and is no risk of a real track.
 
-The paper sets $T_2$ by the acceptable risk of derailment. With {{acceptable}} it is {{T2}}, so that
-$n$ = {{n}}, and {{per-km}} values a kilometre lie beyond it. Repairing all of them removes
-{{removed}} of the risk. The command `railbook quality index` takes the mean and deviation of the
-magnitude $|p|$, which for the same histogram gives $n$ = {{n-magnitude}}.
+The paper sets $T_2$ by the acceptable risk of derailment. With a probability of {{acceptable}} for
+a value that lies just at $T_2$ it is {{T2}}, so that $n$ = {{n}}, and {{per-km}} values a kilometre
+lie beyond it. Repairing all of them removes {{removed}} of the risk. The command `railbook quality
+index` takes the mean and deviation of the magnitude $|p|$, which for the same histogram gives $n$ =
+{{n-magnitude}}; an $n$ of 3 here is {{n-magnitude-3}} there.
 
 {{fold}}
 */
@@ -111,7 +111,8 @@ void fig_09(report::Item& item) {
   item.value("risk", risk, "", "{:.1g}");
   item.value("T2", T_2, "", "{:.2f}");
   report::values(item, "", "{:.1f}", "n", T_2 / level_sd, "n-magnitude",
-                 (T_2 - mean) / std::sqrt(level_sd * level_sd - mean * mean));
+                 (T_2 - mean) / std::sqrt(level_sd * level_sd - mean * mean), "n-magnitude-3",
+                 (3 * level_sd - mean) / std::sqrt(level_sd * level_sd - mean * mean));
   item.value("per-km", 2 * quality::share_above(0, level_sd, T_2) * per_km, "", "{:.0f}");
   item.value("removed", 100 * risk_beyond(T_2) / risk, "%", "{:.0f}");
   item.rebuilt(

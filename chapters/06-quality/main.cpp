@@ -12,24 +12,25 @@ asked which roughness a given vehicle can bear at each wavelength.
 :::
 
 ::: findings
-1. **How smooth must a track be at long waves?** The paper finds that one amplitude is allowed for all
-   waves shorter than the one that excites resonance at top speed, and that beyond it the allowed
-   amplitude grows with the square of the wavelength. For its linear vehicle both follow exactly
-   from its formula (constant amplitude: {{outcome:fig-05/level}}; growth:
+1. **How smooth must a track be at long waves?** The paper finds that one amplitude is allowed for
+   all waves shorter than the one that excites resonance at top speed, and that beyond it the
+   allowed amplitude grows with the square of the wavelength. For its linear vehicle both follow
+   exactly from its formula (constant amplitude: {{outcome:fig-05/level}}; growth:
    {{outcome:fig-05/tail}}).
-2. **Is that so for "all vehicle models regardless of how complex or nonlinear they may be"**, as the
-   paper supposes? We gave its vehicle bump stops that are met at 0.6 of the stroke limit. At long
-   waves the allowed amplitude still grows with the square of the wavelength
+2. **Is that so for "all vehicle models regardless of how complex or nonlinear they may be"**, as
+   the paper supposes? We gave its vehicle bump stops that are met at 0.6 of the stroke limit. In
+   the end the allowed amplitude still grows with the square of the wavelength
    ({{outcome:fig-level/shape}}). With stops as stiff as the spring, short waves still have one
    allowed amplitude. With stops ten times as stiff it falls from {{one-wave-10}} to at most
-   {{level-10}} for waves below {{second-10}} at 100 km/h, because there the
-   body can make one swing in three waves, which keep it going
+   {{level-10}} for waves below {{second-10}} at 100 km/h (without stops it is {{level-linear}}),
+   because there the body can make one swing in three waves, which keep it going
    ({{outcome:fig-level/subharmonic}}). The damping is the paper's; the place and the stiffness of
    the stops are ours.
 3. **Does a faster train always need smoother track at short waves?** There the force on the wheel
    counts, and the paper says that its curves for different speeds do "not interpenetrate each other
    as speed is changed". This is not testable, because the paper prints neither masses nor dampers.
-   If the body has at least twice the mass of the wheel, it is true when the damping is at least {{enough-damping}} of the critical one, with which a free body just ceases to swing.
+   If the body has at least twice the mass of the wheel, it is true when the damping is at least
+   {{enough-damping}} of critical damping, at which a free body no longer swings.
 :::
 
 ## The idea
@@ -46,17 +47,15 @@ amplitude that is *allowed* at this wavelength. It is what has to be maintained.
 The curve of the allowed amplitudes becomes a filter. Run over a record of the track, it gives the
 *descriptor*, which is 1 on a lasting wave of the allowed amplitude. In the drawing it stays near 0
 on a hill of 60 mm, reads {{read-bump}} on a short bump of 16 mm, and {{read-waves}} on three waves
-of 12 mm. It overrates the bump, which in truth uses up only {{stroke-10}} of the stroke limit
-({{fig-bumps}}).
+of 12 mm. In truth the bump uses up only {{stroke-10}} of the stroke limit ({{fig-bumps}}), and the
+waves {{stroke-waves}}.
 
 The thesis of the paper is that a measure of the present quality of track should "be made up only of
 data that represent loaded-track geometry", the shape of the rails under a train, because these
 determine how a given vehicle behaves.
 
 We have the paper as machine-read text, and none of its drawings. It prints few numbers and no
-masses or springs. So we compare each formula with an integration in time, test each claim and state
-where it holds, and try the paper's supposition about nonlinear vehicles on a vehicle with the bump
-stops that it mentions.
+masses or springs. So we test its formulas and claims on vehicles of our own.
 
 {{include: stroke.cpp}}
 
@@ -84,23 +83,22 @@ stops that it mentions.
 * **"<7 m" and ">100 m"**, the ends of the constant level, depend on a vehicle that is not printed,
   and are not testable; {{fig-07}} says what car A gives.
 * **That the allowed power "resembles that of existing track"** is not testable: spectrum and
-  vertical scale are lost. {{fig-08}} shows how far the spectrum of another line is from it.
-* **One allowed amplitude at short waves for every vehicle**: our stops give one, two or three
-  ({{outcome:fig-level/subharmonic}}), by their stiffness, gap and damping; {{table-levels}} says
-  which.
+  vertical scale are lost.
+* **One allowed amplitude at short waves for every vehicle**: our stops give one or two in
+  {{fig-level}} ({{outcome:fig-level/levels}}) and up to three in {{table-levels}}, by their
+  stiffness, gap and damping.
 * **Damaged in our copy**: the minus of (3) and the first factor of (6), both restored
   ({{outcome:table-equations/six}}); (7) is read from fragments. Spatial frequency is in cycles/km
   in the paper's list of symbols and in cycles/m on the axis of its Figure 2; cycles/m is used.
 * **Chosen here**, because the paper does not print it: masses, springs and dampers, the speeds of
   {{fig-05}}, {{fig-06}} and {{fig-07}}, the vertical scale of {{fig-08}}, all numbers of the
   histograms, and the stops, starts and fractions of the nonlinear test, which the paper only
-  announces. In the paper a stop is met when the stroke limit is reached; ours are met at 0.6 of it.
+  announces. 
 
 ## Limits
 
 * The vehicle is one wheel on one rail. A real car has axles and trucks that meet a wave one after
-  the other, so that some wavelengths cancel and others add. Its roll is driven by crosslevel and
-  its bounce by profile.
+  the other, so that some wavelengths cancel and others add. 
 * The wheel never lifts, and the rail does not yield. Above some 20 Hz the track's own stiffness and
   the contact govern the force; chapter 07 has them.
 * The descriptor is a bound for a linear vehicle on a lasting sine, not on a bump ({{fig-bumps}}).
@@ -108,7 +106,7 @@ stops that it mentions.
   descriptor needs "detailed analysis of combinatorial geometry inputs", several frequencies and
   several kinds of geometry at once; that is not done here, except for the pairs of {{table-pairs}}.
 * The stops are elastic and symmetric, and the damper is linear. Freight-car damping is dry
-  friction, which chapter 02 treats. The levels of {{fig-level}} are the lowest that a search found.
+  friction, which chapter 02 treats. 
 * The stochastic part assumes independent, normal values; neighbouring values of a descriptor are
   nearly the same value.
 
@@ -142,17 +140,14 @@ $ railbook quality index track.csv --speed 100km/h --column crosslevel --out min
 ```
 
 The folder `mine` then holds the descriptor sample by sample, the places beyond the limit, a class
-for each 200 m, and a picture.
+for each 200 m, and a picture like this one of another record, 20 km of profile.
 
 {{picture: quality-index}}
 
 ## Try next
 
-* How much track does a shock absorber buy? Compare a damping of 0.1 with 0.2 and 0.3, at the same
-  stroke limit.
-* Which of the three places above remains beyond the limit at 60 km/h?
-* Make a rough track, run `railbook quality index` on it at three speeds, and compare the order of
-  its worst places.
+* How much track does a shock absorber buy? Compare dampings of 0.1, 0.2 and 0.3.
+* Which of the places above remains beyond the limit at 60 km/h?
 
 ```console
 $ railbook quality limit --speed 100km/h --roll-damping 0.1 --stroke 2.54cm
@@ -163,10 +158,6 @@ $ railbook quality index track.csv --speed 60km/h --column crosslevel
 ...
   exceedances                          1   (0.5021 per km)
 ...
-$ railbook psd synthesize rough.csv --length 3km --roughness '1e-6m^2*cycle/m' --dip 10mm
-...
-$ railbook quality index rough.csv --speed 64km/h
-track quality of rough.csv
 ```
 
 ## Symbols
@@ -229,8 +220,8 @@ int main(int argc, char** argv) {
        .name = "quality",
        .title = "How rough may a track be before a vehicle minds?",
        .paper = "J. C. Corbin and A. E. Fazio, Performance-Based Track-Quality Measures and Their "
-                "Application to Maintenance-of-Way Planning, Transportation Research Record 802, "
-                "1981",
+                "Application to Maintenance-of-Way Planning, Transportation Research Record 802 "
+                "(1981?)",
        .sources = RAILBOOK_CHAPTER_DIR},
       {stroke, force, combined, spectrum, filter, nonlinear, histogram, spreading},
       {cost, extremes});

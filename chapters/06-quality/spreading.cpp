@@ -6,9 +6,9 @@ spreads along the axis of $p$ by
 
 $$\frac{\partial h}{\partial t}=\frac13\frac{\partial}{\partial p}\left(h^3\frac{\partial h}{\partial p}\right)$$
 
-in scaled units of time $t$. The plain alternative is diffusion, which keeps a normal histogram
-normal. Both have exact solutions, drawn here from the same standard deviation at $t=1$. A solver
-for other starts is compared with them on the second page.
+in scaled units of time $t$. The plain alternative is diffusion, $\partial h/\partial
+t=D\,\partial^2h/\partial p^2$, which keeps a normal histogram normal; its constant is here $D$ =
+{{diffusivity}}. Both have exact solutions, drawn here from the same standard deviation at $t=1$. 
 
 {{fig-10}}
 
@@ -61,6 +61,7 @@ void fig_10(report::Item& item) {
     data.gap();
   }
   item.value("blob-front", quality::blob_front(1), "", "{:.3f}");
+  item.value("diffusivity", diffusivity, "", "{:g}");
   item.rebuilt("the paper's figure is a sketch; both laws and all numbers are chosen");
 }
 

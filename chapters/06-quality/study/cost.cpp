@@ -5,7 +5,8 @@ The descriptor of a sine of 32 m and 1 cm is known in closed form: its amplitude
 one. The filter is applied as a direct sum or in blocks by FFT (the fast Fourier transform). Both
 use weights that end at 3 to 40 resonant wavelengths; the time of computing the weights is not
 counted. The column *work* counts multiplications for the direct sum and points transformed for the
-blocks.
+blocks, and below, evaluations of the equation (for the exact solver, pieces between switches) and
+cells times steps.
 
 {{fig-filter-time}}
 
@@ -27,9 +28,9 @@ from a tolerance of 10⁻¹³, and not less than 10⁻¹¹.
 
 {{stops-answer}} The exact solver has no setting, and its error is below what the reference can resolve. An
 integrator that does not see the switches has to make small steps around each kink, and with fixed
-steps of order 4 the error falls with order {{rk4-order}} only. All this is about one motion. That another start would end on another motion is shown by no such
-comparison; for that the chapter searches many starts, and the section on subharmonics below says
-what they find.
+steps of order 4 the error falls with order {{rk4-order}} only. All this is about one motion. That
+another start would end on another motion is shown by no such comparison; for that the chapter
+searches many starts, and the section on subharmonics below says what they find.
 
 {{work-precision: fig-stops-time}}
 
@@ -108,7 +109,7 @@ void fig_filter_time(report::Item& item) {
              const auto& t = weights(reach);
              return {{filters::filter(t, z)[crest]}, transformed_points(t.half.size()), true, ""};
            })
-           .labelled("{} wavelengths"),
+           .labelled("reach of {} resonant wavelengths"),
        bench::sweep("direct", reaches,
                     [&](double reach) -> bench::Outcome {
                       const auto& t = weights(reach);
@@ -117,7 +118,7 @@ void fig_filter_time(report::Item& item) {
                               true,
                               ""};
                     })
-           .labelled("{} wavelengths")},
+           .labelled("reach of {} resonant wavelengths")},
       item.full() ? 0.5 : 0.02);
   item.value("filter-answer", bench::answer(points, "descriptor", {1e-3, 1e-6, 1e-8}));
   item.value("error-20", points[4].error, "", "{:.0e}");

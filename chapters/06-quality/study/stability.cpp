@@ -3,14 +3,14 @@
 
 Stiff stops have motions that repeat after three or more waves, *subharmonics*, below the amplitude
 at which one swing a wave reaches the stroke limit. In the runs below no start at rest ended on
-them. The table takes waves at 0.85 of that amplitude, at 16 frequencies about the one at which an
-energy balance expects one swing in three waves. We try starts at rest and starts on grids of
-strokes and rates, and count the frequencies at which these find a motion that repeats after three
-waves and exceeds the limit of 2.54 cm.
+them. The table takes waves at 0.85 of that amplitude (by the energy balance), at 16 frequencies
+about the one at which an energy balance expects one swing in three waves. We try starts at rest and
+starts on grids of strokes and rates, and count the frequencies at which these find a motion that
+repeats after three waves and exceeds the limit of 2.54 cm.
 
 {{table-subharmonics}}
 
-{{subharmonics-answer}} With stops as stiff as the spring none was found. One motion of each stiffness is followed for 300 waves by the exact solver; the rows on subharmonics in the last table
+{{subharmonics-answer}} The first page needs fewer starts, because it follows each motion over all frequencies at which it exists; with 225 starts its levels of $\kappa$ = 10 are the same. With stops as stiff as the spring none was found. One motion of each stiffness is followed for 300 waves by the exact solver; the rows on subharmonics in the last table
 say how far it then is from its own start.
 
 ### Does the wheel stay on the rail?
@@ -25,8 +25,11 @@ limit:
 
 ### Which stiff and extreme cases hold?
 
-A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
-in the way stated, and is *refused* when the program says why it has no number.
+A case *holds* when its error stays within the bound set for it, and is *refused* when the program
+says why it has no number. The error of a run of a body with stops is how far its energy is from
+balance. The other references are a formula without cancellation for the peak, the stroke without
+stops for grazing, the start for subharmonics, the envelope for the wave of 2 km, the error that
+each design states for random filters (so that 1 is as stated), and the exact solution for the blob.
 
 {{stability}}
 
@@ -92,7 +95,7 @@ Found heavy_damping() {
                              {.watch_from = 300, .audit = true}));
 }
 
-// A hill of 2 km and 5 m through the filter for 100 km/h, samples of 0.2 m.
+// A wave of 2 km with an amplitude of 5 m through the filter for 100 km/h, samples of 0.2 m.
 Found long_hill() {
   std::vector<double> z(30000);
   for (std::size_t i = 0; i < z.size(); ++i)
@@ -162,8 +165,10 @@ void table_subharmonics(report::Item& item) {
   for (const int side : sides) headings.emplace_back(fmt::format("found by {} × {}", side, side));
   item.columns(headings);
   std::array<int, sides.size()> all{};
+  std::size_t waves = 0;
   for (const double kappa : {1.0, 10.0, 100.0}) {
     const Band band = band_of(kappa);
+    waves += band.waves.size();
     std::array<int, sides.size()> found{};
     double rest = 0, largest = 0;
     for (const quality::Wave& wave : band.waves) {
@@ -186,12 +191,15 @@ void table_subharmonics(report::Item& item) {
         largest > 0 ? fmt::format("{:.2f}", largest / cm) : "–", count(0), count(1), count(2),
         count(3));
   }
-  std::size_t enough = sides.size() - 1;
-  while (enough > 0 && all[enough - 1] >= all.back()) --enough;
-  item.value("subharmonics-answer",
-             fmt::format("Search with a grid of {} × {} starts: it finds a motion at {} of the "
-                         "frequencies, and a grid of 3 × 3 at {} of them.",
-                         sides[enough], sides[enough], all[enough], all[0]));
+
+  item.value(
+      "subharmonics-answer",
+      fmt::format("A grid of {} × {} starts finds a motion at {} of the {} frequencies, a grid of "
+                  "{} × {} at {} and one of 3 × 3 at {}. {}",
+                  sides.back(), sides.back(), all.back(), waves, sides[2], sides[2], all[2], all[0],
+                  all.back() > all[2] ? "The counts still grow, so that no grid tried is "
+                                        "shown to be enough for a single wave."
+                                      : "The last two agree."));
 }
 
 void table_lift(report::Item& item) {
@@ -273,7 +281,7 @@ void random_rows(report::Item& item) {
 }
 
 void table_stability(report::Item& item) {
-  using report::degraded, report::accurate, report::refused;
+  using report::accurate, report::refused;
   const std::pair<report::StabilityCase, std::function<Found()>> cases[]{
       {{"rho-0.7071", "damping 0.7071",
         "the peak leaves for infinity: its place is ill-conditioned", accurate, 1e-9,
@@ -298,8 +306,8 @@ void table_stability(report::Item& item) {
        [] { return after_many_waves(10); }},
       {{"subharmonic-100", "the same, κ = 100", "the same", accurate, 1e-9, "its own start"},
        [] { return after_many_waves(100); }},
-      {{"hill", "waves of 2 km and 5 m", "longer than the filter's reach", degraded, 0.25,
-        "the envelope"},
+      {{"hill", "a wave of 2 km with an amplitude of 5 m", "longer than the filter's reach",
+        accurate, 1e-3, "the envelope"},
        long_hill},
       {{"spike", "blob from a single cell",
         "the cube of the height, by which it spreads, falls from 8·10⁶ to 0.5", accurate, 0.01,
