@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include <railbook/num/dense_lu.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/parts.hpp>
 #include <railbook/units/constants.hpp>
@@ -85,8 +84,11 @@ StickSlipPair solve_pair(const TangentialInfluence& influence, const RollingGrid
                          const StickSlipPair* start, const Eigen::VectorXd* driven) {
   Eigen::VectorXd w = rigid_slip(grid.mesh, reduced);
   if (driven) w += *driven;
+  SlidingRows own;
+  StickSlipOptions solver = options.solver;
+  if (!solver.kept) solver.kept = &own;
   const auto solve = [&](const StickSlip* from) {
-    return solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, from);
+    return solve_stick_slip(influence, grid.mesh, grid.bound, w, solver, from);
   };
   StickSlipPair found;
   found.first = solve(start ? &start->first : nullptr);

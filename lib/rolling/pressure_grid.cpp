@@ -72,22 +72,27 @@ void halve(contact::Grid& cells, Eigen::VectorXd& p) {
 
 struct RollingSeries::Parts {
   std::shared_ptr<const TangentialInfluence> influence;
+  std::shared_ptr<SlidingRows> sliding;
   double poisson = 0;
   Given given;  // of the last solution
   StickSlipPair found;
 
-  const StickSlip& solve(Given g, const RollingCase& c, const RollingOptions& options,
+  const StickSlip& solve(Given g, const RollingCase& c, RollingOptions options,
                          double dissimilarity);
 };
 
 // The influence on strains depends on the shape of the cells, not on their size.
-const StickSlip& RollingSeries::Parts::solve(Given g, const RollingCase& c,
-                                             const RollingOptions& options, double dissimilarity) {
+const StickSlip& RollingSeries::Parts::solve(Given g, const RollingCase& c, RollingOptions options,
+                                             double dissimilarity) {
   const RollingMesh &mesh = g.grid.mesh, &last = given.grid.mesh;
   const bool again = influence && poisson == c.poisson && mesh.along == last.along &&
                      mesh.rows() == last.rows() &&
                      std::abs(mesh.dx[0] * last.dy[0] / (mesh.dy[0] * last.dx[0]) - 1) < 1e-13;
-  if (!again) influence = std::make_shared<TangentialInfluence>(mesh, c.poisson, false);
+  if (!again) {
+    influence = std::make_shared<TangentialInfluence>(mesh, c.poisson, false);
+    sliding = std::make_shared<SlidingRows>();
+  }
+  options.solver.kept = sliding.get();
   poisson = c.poisson;
   Eigen::VectorXd driven;
   if (dissimilarity != 0) driven = driven_slip(mesh, g.grid.bound / c.friction, dissimilarity);

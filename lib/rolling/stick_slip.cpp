@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include <railbook/num/dense_lu.hpp>
 #include <railbook/num/gmres.hpp>
 
 namespace railbook::rolling {
@@ -17,7 +16,13 @@ class Newton {
  public:
   Newton(const TangentialInfluence& influence, const RollingMesh& mesh, const VectorXd& bound,
          const VectorXd& w, const StickSlipOptions& options)
-      : influence_(influence), mesh_(mesh), g_(bound), w_(w), options_(options), n_(mesh.cells()) {}
+      : influence_(influence),
+        mesh_(mesh),
+        g_(bound),
+        w_(w),
+        options_(options),
+        n_(mesh.cells()),
+        sliding_(options.kept ? *options.kept : own_) {}
 
   StickSlip run(const StickSlip* start);
 
@@ -115,7 +120,7 @@ class Newton {
     runs_.clear();
     unknowns_ = 0;
     for (Index row = 0; row < mesh_.rows(); ++row) {
-      Sliding& s = sliding_[static_cast<std::size_t>(row)];
+      SlidingRow& s = sliding_[static_cast<std::size_t>(row)];
       s.cells.clear(), s.unknowns.clear();
       bool runs = false;
       for (Index i = 0; i < mesh_.along; ++i) {
@@ -154,7 +159,7 @@ class Newton {
         }
         first = std::min(first, run->first), last = run->first + run->cells;
       }
-      const Sliding& s = sliding_[static_cast<std::size_t>(row)];
+      const SlidingRow& s = sliding_[static_cast<std::size_t>(row)];
       if (s.cells.empty()) continue;
       auto line = of_row.head(static_cast<Index>(s.unknowns.size()));
       line = r(s.unknowns);
@@ -195,6 +200,8 @@ class Newton {
     gather(slip_, nullptr, right);
     const num::Gmres solved = num::gmres(product, inverse, right, relative, options_.most_gmres);
     result_.products += solved.iterations;
+    if (solved.iterations > 10)  // factors kept may be too old
+      for (SlidingRow& s : sliding_) s.factored.clear();
     Index k = 0;
     for (Index c = 0; c < n_; ++c) {
       if (g_[c] <= 0) continue;
@@ -222,11 +229,8 @@ class Newton {
     Index row, first, unknown, cells;
   };
   std::vector<Run> runs_;
-  struct Sliding {
-    std::vector<Index> cells, unknowns, factored;
-    num::DenseLu lu;
-  };
-  std::vector<Sliding> sliding_;  // per row
+  SlidingRows own_;
+  SlidingRows& sliding_;
 };
 
 StickSlip Newton::run(const StickSlip* start) {

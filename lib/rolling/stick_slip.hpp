@@ -4,15 +4,25 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include <railbook/num/dense_lu.hpp>
 #include <railbook/rolling/influence.hpp>
 
 namespace railbook::rolling {
+
+// The sliding cells of each row with the factors of what they do to one another. They only
+// precondition, so that those of one contact do for the next that is much alike.
+struct SlidingRow {
+  std::vector<Eigen::Index> cells, unknowns, factored;
+  num::DenseLu lu;
+};
+using SlidingRows = std::vector<SlidingRow>;
 
 struct StickSlipOptions {
   double tolerance =
       1e-11;  // of the largest rigid slip: what is left of the slip equations in every cell
   int most_newton = 80;
-  int most_gmres = 400;  // products a Newton step may take
+  int most_gmres = 400;         // products a Newton step may take
+  SlidingRows* kept = nullptr;  // from one solution on a mesh to the next
 };
 
 struct StickSlip {

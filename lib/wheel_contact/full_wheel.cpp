@@ -83,13 +83,14 @@ bool Full::press() {
   return true;
 }
 
-// Lowers the wheel until it bears the load, with the shares that friction bears as they are.
-bool Full::balance(double tolerance) {
+// Lowers the wheel until it bears `target` of the load, with the shares that friction bears as they
+// are.
+bool Full::balance(double tolerance, double target) {
   double last = 0, last_share = 0;
   for (int k = 0; k < 25; ++k) {
     if (!press()) return false;
     const double share = vertical_force(all) / w.input.load;
-    if (std::abs(share - 1) < tolerance) return true;
+    if (std::abs(share - target) < tolerance) return true;
     const double depth = std::max(z0 + down - w.touch.z(), 0.0);
     double slope = 1.5 * std::max(share, 0.05) / std::max(depth, 1e-9);
     if (k > 0 && std::abs(down - last) > 1e-12) {
@@ -97,7 +98,7 @@ bool Full::balance(double tolerance) {
       if (secant > 0.3 * slope && secant < 5 * slope) slope = secant;
     }
     last = down, last_share = share;
-    down += std::clamp((1 - share) / slope, -0.5 * depth - 1e-7, depth + 1e-7);
+    down += std::clamp((target - share) / slope, -0.5 * depth - 1e-7, depth + 1e-7);
   }
   return false;
 }
@@ -182,22 +183,19 @@ bool Full::touches_edge() const {
   return std::ranges::any_of(cells, [](const auto& c) { return c->region.touches_edge(); });
 }
 
-// The depth on a coarse grid, planes at that depth, and the coarse answer.
+// Planes at the depth so far, and the coarse answer.
 const char* Full::place_planes() {
-  const Index nx = w.input.along / 2, ny = w.input.across / 2;
-  mesh(nx, ny);
-  if (!balance(1e-2)) return unborne;
   lower_frames();
-  mesh(nx, ny);
+  mesh(w.input.along / 2, w.input.across / 2);
   if (!balance(1e-3)) return unborne;
   forget_unloaded();
   describe();
   if (rolled_coarse.size() != all.size()) {
     rolled_coarse.clear(), rolled.clear();
     rolled_coarse.resize(all.size());
+    if (w.input.friction.largest() > 0 && !roll(all, rolled_coarse)) return unsettled;
+    rolled = std::vector<rolling::RollingSeries>(rolled_coarse);
   }
-  if (w.input.friction.largest() > 0 && !roll(all, rolled_coarse)) return unsettled;
-  if (rolled.empty()) rolled = std::vector<rolling::RollingSeries>(rolled_coarse);
   coarse = all;
   return nullptr;
 }
@@ -213,34 +211,41 @@ const char* Full::fit_grid() {
   return "the contact did not fit its grid";
 }
 
-// Pressure and friction in turn until the load is met. Near Nadal's edge friction bears nearly as
-// much as the flange presses, and its share falls as the load grows: the depth that balances one
-// share swings about that which balances its own. Where that has not ended, it is sought between
-// the last two.
+// Pressure and friction in turn until the load is met. The depth that balances friction's shares as
+// they are is beside the one that balances its own by how friction responds: near Nadal's edge it
+// bears nearly as much as the flange presses, and its share falls as the load grows.
 const char* Full::settle_friction(double tolerance) {
-  double last = 0, last_off = 0;
+  double off = 0, change = 0;
   for (int k = 0; w.input.friction.largest() > 0; ++k) {
     if (!roll(all, rolled)) return unsettled;
-    const double off = vertical_force(all) / w.input.load - 1, here = down;
+    const double last = off;
+    off = vertical_force(all) / w.input.load - 1;
     if (std::abs(off) < tolerance) break;
     if (k == 15) return "friction and load did not settle";
-    const bool swings = k >= 7 && off * last_off < 0;
-    if (swings) down = here + (last - here) * off / (off - last_off);
-    if (!(swings ? press() : balance(std::min(1e-5, 0.1 * tolerance)))) return unborne;
+    if (std::abs(change) > 1e-4) response = std::clamp((off - last) / change, 0.5, 5.0);
+    change = -off / response;
+    if (!balance(std::max(0.1 * tolerance, 2e-2 * std::abs(off)), 1 + off + change)) return unborne;
     describe();
-    last = here, last_off = off;
   }
   return nullptr;
 }
 
 const char* Full::solve() {
-  down = 0;
+  down = 0, response = 1;
   cells.clear();
+  mesh(w.input.along / 2, w.input.across / 2);
+  if (!balance(1e-2)) return unborne;
   const char* failed = place_planes();
   if (!failed) failed = fit_grid();
   if (!failed) failed = settle_friction(1e-3);
   if (!failed) state_errors();
   return failed;
+}
+
+const char* Full::solve_again() {
+  const char* failed = place_planes();
+  if (!failed) failed = fit_grid();
+  return failed ? failed : settle_friction(1e-5);
 }
 
 const char* Full::solve_nearby() {

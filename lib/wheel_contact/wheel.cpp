@@ -204,6 +204,12 @@ WheelResult WheelSolver::solve(const Pose& pose, double angular_velocity, Purpos
   return out;
 }
 
+WheelResult WheelSolver::solve_again(const Pose& pose, double angular_velocity) {
+  parts_->full.slip_tolerance = 1e-5;
+  parts_->place(pose, angular_velocity);
+  return parts_->result(parts_->full.solve_again());
+}
+
 WheelResult WheelSolver::solve_nearby(const Pose& pose, double angular_velocity) {
   parts_->full.slip_tolerance = 1e-5;
   parts_->place(pose, angular_velocity);

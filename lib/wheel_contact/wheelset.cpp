@@ -18,10 +18,10 @@ using Eigen::Vector2d;
 
 namespace {
 
-// approximate: by strips, or Hertz's method; afresh: by the full theory, for what follows; nearby:
-// by the full theory, on the planes and cells of a pose that was solved afresh; answer: the last
-// pose to the accuracy of an answer.
-enum class How { approximate, afresh, nearby, answer };
+// approximate: by strips, or Hertz's method; afresh: by the full theory, for what follows; again:
+// on planes and cells made anew from the last solution; nearby: on those of the last solution;
+// answer: the last pose to the accuracy of an answer.
+enum class How { approximate, afresh, again, nearby, answer };
 
 struct Balance {
   const ProfilePair &left, &right;
@@ -37,6 +37,7 @@ struct Balance {
     out.pose.roll = roll, out.angular_velocity = angular_velocity;
     const auto solved = [&](std::size_t side, const Pose& pose) {
       const bool by_full = input.method == Method::full;
+      if (how == How::again) return full[side].solve_again(pose, angular_velocity);
       if (how == How::nearby) return full[side].solve_nearby(pose, angular_velocity);
       if (how == How::answer && by_full) return full[side].refine();
       return (how == How::afresh ? full : quick)[side].solve(
@@ -143,21 +144,24 @@ struct Balance {
       found = solve(r, t, How::nearby);
       return converged();
     };
-    bool sure = start(s, 10 * small);
+    bool sure = start(s, 100 * small);
     for (int k = 0; k < 8; ++k) {
-      Vector2d at = solve(roll, angular_velocity, How::afresh), way = Vector2d::Zero();
+      Vector2d at = solve(roll, angular_velocity, k > 0 ? How::again : How::afresh);
+      if (k > 0 && !converged()) at = solve(roll, angular_velocity, How::afresh);
       if (!converged()) return;
-      if (k > 0 && !f(roll, angular_velocity, at)) continue;  // sharper
+      Vector2d way = Vector2d::Zero();
       if (!sure) sure = s.find_slopes(at, f);
       off = at;
       const auto far = [&] { return std::abs(way[0]) > 0.05 || std::abs(way[1]) > 1; };
-      for (int m = 0; m < 12 && !good(far() ? 10 * small : small); ++m) {
+      bool at_jump = false;  // of the moment, where a cell begins to bear
+      for (int m = 0; m < 12 && !at_jump && !good(far() ? 10 * small : small); ++m) {
         const Vector2d before = at, step = s.move(at);
         way += step;
         if (!f(roll, angular_velocity, at)) break;
+        at_jump = step.norm() < 1e-3 && good(10 * small);
         if (m > 0 || step.norm() > 0.1) s.renew(at - before, step);  // at first friction is rough
       }
-      if (converged() && !far() && good(small)) break;
+      if (converged() && !far() && (at_jump || good(small))) break;
     }
     if (converged()) solve(roll, angular_velocity, How::answer);
   }

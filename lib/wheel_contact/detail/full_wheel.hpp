@@ -34,16 +34,20 @@ struct Full {
   std::vector<PatchResult> coarse{};  // on half the cells along and across
   std::vector<rolling::RollingSeries> rolled{}, rolled_coarse{};
   double slip_tolerance = 1e-7;
+  // The load's change with the depth, over what it were with friction's shares as they are.
+  double response = 1;
 
   // Each says why it failed; nullptr: it did not. From patches near the depth z0, with the errors;
-  // in another pose near by, on the cells as they are; and with tractions as sharp as an answer's.
+  // on planes and cells anew near the last solution; in another pose near by, on the cells as they
+  // are; and with tractions as sharp as an answer's.
   const char* solve();
+  const char* solve_again();
   const char* solve_nearby();
   const char* refine();
 
  private:
   bool press();
-  bool balance(double tolerance);
+  bool balance(double tolerance, double target = 1);
   void lower_frames();
   void mesh(Eigen::Index nx, Eigen::Index ny);
   void describe();

@@ -16,9 +16,10 @@ class WheelSolver {
   // on the way to another pose finds the tractions to 1e-5 of the slip, where an answer has 1e-7.
   enum class Purpose { answer, step };
   WheelResult solve(const Pose& pose, double angular_velocity, Purpose purpose);
-  // By the full theory on the planes and cells of the last solution, with its pressures and
-  // tractions as a start: the depth, the forces and the moment, without errors and warnings.
-  // Not converged where that fails, or where the contact has come to the edge of the cells.
+  // By the full theory from the last solution as a start: the depth, the forces and the moment,
+  // without errors and warnings. Again: on planes and cells made anew. Nearby: on those that there
+  // are; not converged where the contact has come to the edge of the cells.
+  WheelResult solve_again(const Pose& pose, double angular_velocity);
   WheelResult solve_nearby(const Pose& pose, double angular_velocity);
   // The last solution to the accuracy of an answer, with errors and warnings.
   WheelResult refine();
