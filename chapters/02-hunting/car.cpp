@@ -5,7 +5,7 @@
 two side frames, which carry the two wheelsets at their ends, and a *bolster* across the middle, on
 which the body turns at the *centre plate*. The axles are held in the side frames as if by ball
 joints, so a truck can be pushed out of square like a parallelogram; the paper calls this angle
-*warp*. The drawing at the head of the page shows the coordinates,
+*warp*. {{drawing}} shows the coordinates,
 
 $$q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF},\theta_{WR},X_C,\theta_C,\phi_C).$$
 
@@ -19,7 +19,7 @@ body.
 **Creep forces.** Where a loaded wheel touches the rail the steel is strained, and the wheel does
 not roll exactly as geometry says. The *creepage* is the sliding speed over the speed $V$ of the
 car. A wheelset that moves sideways at the rate $\dot x_w$ while it points to $\psi$ has the lateral
-creepage
+creepage (as an index x means lateral, y vertical and z along the track)
 
 $$\xi_x=\frac{\dot x_w}V-\psi. \tag{1}$$
 

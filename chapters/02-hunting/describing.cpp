@@ -167,7 +167,7 @@ void describing_claims(report::Item& item) {
   item.claim_if("df-differences", apart(small) > words::much * apart(large),
                 {apart(small), apart(large)});
   const Dip dip = conicity_dip(heumann);
-  item.claim_if("conicity-dip", dip.part < 1, {dip.part, dip.at});
+  item.claim_if("conicity-dip", dip.part < 1, {dip.at, dip.part});
   item.value("friction-difference",
              100 * (1 - regularized_friction(1, 0.1, 1).value / ideal_friction(1, 1).value), "%",
              "{:.2f}");

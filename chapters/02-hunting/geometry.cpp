@@ -99,8 +99,9 @@ needs the jump and not the fillet, its row says so.
 Each word of the paper is read alike in the whole chapter, by one rule. The rule was written down
 when first results were known, so it is no prediction. *Constant*, *vertical*, *the same* mean
 within 1 %, the width of a printed line. *Nearly*, *about*, *insignificant* mean a tenth; *small*
-and *low* mean below half. *Much*, *large*, *drastically*, *abruptly* mean by $\sqrt2$ or more,
-nearer to twice than to the same; *slightly* means by less, and *several* twice or more.
+and *low* mean below half. *Much*, *large*, *rapidly*, *drastically*, *abruptly* mean by a factor of
+1.41 ($\sqrt2$, as near to the same as to twice) or more; *slightly* means by a smaller factor, and
+*several* by two or more.
 
 :::
 

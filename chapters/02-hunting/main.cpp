@@ -52,8 +52,8 @@ pound (4.448 N), and a slug is the mass to which it gives 1 ft/s² (14.59 kg).
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
 wheel and rail and part of its table of data are lost or illegible. We rebuilt profiles that fit
 what the text says of them. Results that depend on our own profiles or dampers are called
-*consistent* with the paper at best. We write *confirmed* only if a result holds for any straight
-cone, or follows from the printed conicity with every setting of dampers that fits.
+*consistent* with the paper at best. We write *confirmed* only if a result does not depend on them,
+holds for any straight cone, or follows from the printed conicity with all dampers that fit.
 
 {{include: geometry.cpp}}
 
@@ -80,9 +80,9 @@ cone, or follows from the printed conicity with every setting of dampers that fi
 ## Deviations
 
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is
-  {{cn-ratio-tried}} that with new wheels in all our trials: with every set of dampers that gives
-  the printed 145 ft/s and 12 rad/s, with slopes of 2.5 to 3.5 times the new wheel's, with contact
-  angles from none to twice ours, and by the printed frequencies alone.
+  {{cn-ratio-car}} that with new wheels with every set of dampers that gives the printed 145 ft/s
+  and 12 rad/s, with slopes of 2.5 to 3.5 times the new wheel's, and with contact angles from none
+  to twice ours. The printed frequencies alone ask for {{cn-ratio-formula}} by a rigid truck.
 
 ::: {.fold summary="What we found of our own profiles, which says nothing against the paper"}
 
@@ -90,7 +90,11 @@ cone, or follows from the printed conicity with every setting of dampers that fi
   {{torus-range}}, long before the describing functions do. With {{nowhere}} running means and sets
   of dampers that we tried they have none.
 * The stable cycles of CN wheels with both trucks on the flange exist only with other dampers than
-  ours.
+  ours, and by the paper's rule. With no set of dampers that we tried are these cycles stable, are
+  those of new wheels on the flange stable by the full equations, and is the critical speed lower
+  with CN wheels, all at once.
+* Of dry friction at larger amplitudes the paper says that its breakaway force "is easily overcome".
+  In our car this is so for warp and centre plates, not for the lateral and vertical suspension.
 * On the flange the frequencies of the three wheels lie {{quasi-apart}} apart about {{quasi-mean}} by
   describing functions, and {{exact-apart}} apart about {{exact-mean}} by the full equations. The
   paper says that they approach 30.5 rad/s.
@@ -134,8 +138,6 @@ warns where the measurement does not carry the answer:
 ```console
 $ railbook hunting geometry --wheel new-wheel.csv --rail worn-rail.csv
 ...
-  slope of R at the centre, per x/a           0.0506   (over the table's first step)
-...
   two-point contacts                          2   (the left wheel's, jumps of more than 0.1 mm)
 ...
 ```
@@ -152,7 +154,8 @@ multipliers.
   stable one. A car that is disturbed by less than the unstable one runs straight again; beyond it,
   the car hunts.
 * Half an inch of gauge takes almost all conicity from a worn wheel, because it then stands on the
-  flat part of its tread:
+  flat part of its tread. The answer is the cone with the same wave at 4 mm, and in brackets two
+  other ways to fit one:
 
 ```console
 $ railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --gauge 56.5in
@@ -167,9 +170,8 @@ $ railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --gauge 5
 
 * `railbook hunting cycle --pair cn --suspension friction` follows the first family of the car with
   friction; the one of {{fig-11}} comes with `--family 2`.
-* Follow the cycles along another datum than speed (`vehicle::by_datum`). The friction of the centre
-  plates would be the first to try, because it alone couples the trucks to the yaw of the body in a
-  way that differs between front and rear.
+* Follow the cycles along another datum than speed (`vehicle::by_datum`), first along the friction of
+  the centre plates.
 
 ## Symbols
 

@@ -78,6 +78,12 @@ void add_body(scene::Scene& drawing, double half, const Place& place) {
   }
   edges.vertices = moved(edges.vertices, place);
   drawing.lines.push_back(std::move(edges));
+  // The middle of its floor, beside that of the track.
+  scene::Lines floor{scene::Points(2, 3), scene::Segments(1, 2), blue, 3};
+  floor.vertices << -half, 0, -1.35, half, 0, -1.35;
+  floor.segments << 0, 1;
+  floor.vertices = moved(floor.vertices, place);
+  drawing.lines.push_back(std::move(floor));
 }
 
 void scene_hunting(report::Item& item) {

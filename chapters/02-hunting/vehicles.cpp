@@ -134,18 +134,31 @@ LimitCycleBranch branch_with(const FreightCar& moved, const wheelset::Constraint
                           options);
 }
 
-Range stable_on_flange(const LimitCycleBranch& branch, double flange) {
-  Range range;
+std::vector<StableStretch> stable_stretches(const LimitCycleBranch& branch, double flange) {
+  std::vector<StableStretch> all;
+  bool inside = false;
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const LimitCycle& p = branch.points[k];
-    if (!p.stable || p.largest < flange) {
-      if (range.high > 0) break;
-      continue;
+    const bool stable = p.stable && p.largest >= flange;
+    if (stable && !inside) all.emplace_back();
+    inside = stable;
+    if (!stable) continue;
+    all.back().speeds.add(p.parameter / foot);
+    all.back().loss.clear();
+    for (const SpecialCycle& s : branch.special) {
+      if (s.after != k && (s.after + 1 != k || all.back().speeds.width() > 0)) continue;
+      all.back().speeds.add(s.at.parameter / foot);
+      if (s.after == k) all.back().loss = to_string(s.kind);
     }
-    range.add(p.parameter / foot);
-    for (const SpecialCycle& s : branch.special)
-      if (s.after == k) range.add(s.at.parameter / foot);
   }
+  return all;
+}
+
+Range stable_on_flange(const LimitCycleBranch& branch, double flange) {
+  Range range;
+  for (const StableStretch& s : stable_stretches(branch, flange))
+    if (range.high == 0 || s.speeds.low <= range.high)
+      range.add(s.speeds.low), range.add(s.speeds.high);
   return range;
 }
 
@@ -188,6 +201,19 @@ double translation_for(double rotation, CarParameters data) {
 
 FreightCar car_for(double rotation) {
   return assemble(with_dampers(translation_for(rotation), rotation), Suspension::dampers);
+}
+
+double both_trucks(const CycleBranch& branch) {
+  double most = 0;
+  for (const CyclePoint& p : branch.points)
+    if (p.stable) most = std::max(most, std::min(p.amplitude[0], p.amplitude[2]));
+  return most;
+}
+
+double both_trucks_with(double rotation, const Vehicle& v) {
+  const FreightCar other = car_for(rotation);
+  const QuasiLinearCar quasi{other, *v.table};
+  return both_trucks(trace_from(quasi, hopf_points(quasi, 20 * foot, 400 * foot).at(0), {}));
 }
 
 Motion exchanged(Motion motion) {

@@ -64,10 +64,21 @@ LimitCycleBranch branch_with(const FreightCar& car, const wheelset::ConstraintFu
                              const std::optional<CreepLimit>& creep = {},
                              const std::function<bool(const LimitCycle&)>& go_on = {},
                              double smallest_step = 1e-10);
-// Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to
-// the located point that ends it.
+// A stretch of a branch of the full equations that is stable with flange contact [ft/s], between
+// located points, and by what its stability ends ("fold"; empty: the branch ends).
+struct StableStretch {
+  Range speeds;
+  std::string loss;
+};
+std::vector<StableStretch> stable_stretches(const LimitCycleBranch& branch, double flange);
+// From the slowest to the fastest speed of these stretches; on our branches they follow each other
+// without a gap.
 Range stable_on_flange(const LimitCycleBranch& branch, double flange);
 Range stable_on_flange(const Vehicle& v);
+// The largest wheelset of the truck that swings less, on stable cycles by the paper's rule [m]; and
+// with other dampers that fit.
+double both_trucks(const CycleBranch& branch);
+double both_trucks_with(double rotation, const Vehicle& v);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr std::size_t damped_cars = 3;
 

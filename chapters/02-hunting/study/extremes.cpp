@@ -55,7 +55,8 @@ Found leaving() {
   const History exact = run(car, aside(0.45), 20, Integrator::pieces, 1e-12),
                 other = run(car, aside(0.45), 20, Integrator::dopri5, 1e-9);
   if (exact.end != History::End::left_table) return {"did not leave", 1};
-  return {fmt::format("stopped at {:.4f} s by both", exact.t), std::abs(exact.t - other.t)};
+  return {fmt::format("stopped at {:.4f} s by both integrators", exact.t),
+          std::abs(exact.t - other.t)};
 }
 
 Found no_cycle() {
@@ -157,7 +158,7 @@ void extremes(report::Item& item) {
   item.stability(
       {"slow", "V = 1 ft/s",
        "creep decays in tens of microseconds, the car weaves with a period of over a minute",
-       accurate, 1e-5, "exact pieces, in"},
+       accurate, 1e-5, "largest coordinate against exact pieces, in"},
       slow);
   item.stability(
       {"stick", "CN wheels with friction, 90 ft/s, sticking rate 1/4 and 1/16",
