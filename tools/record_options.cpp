@@ -223,13 +223,13 @@ std::string warnings_of(const std::vector<std::string>& columns, const Records& 
 const char* const warnings_header = "column,warning,from_m,to_m,samples,size_mm,taken_out,option\n";
 
 std::string warning_rows(const std::string& column, const records::RecordStream& record,
-                         const std::string& before) {
+                         const std::string& before, double unit) {
   std::string text;
   for (const records::SuspectPlace& w : record.suspect_places())
     text += before + fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_cell(column), w.key,
                                  table::csv_number(w.from), table::csv_number(w.to), w.samples,
-                                 table::csv_number(w.size / units::millimetre),
-                                 w.taken_out ? "yes" : "no", w.option);
+                                 table::csv_number(w.size / unit), w.taken_out ? "yes" : "no",
+                                 w.option);
   return text;
 }
 

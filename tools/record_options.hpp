@@ -10,6 +10,7 @@
 #include <railbook/tool/batch.hpp>
 #include <railbook/tool/options.hpp>
 #include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::tools {
 
@@ -42,10 +43,11 @@ void add_warnings(tool::Summary& answer, const records::RecordStream& record,
                   const std::string& column, bool several);
 std::string key_of(const std::string& column, const std::string& warning, bool several);
 
-// warnings.csv: a row for each place that is suspected or was taken out.
+// warnings.csv: a row for each place that is suspected or was taken out; sizes in `unit`, m or the
+// SI unit of the column, of the header in mm.
 extern const char* const warnings_header;
 std::string warning_rows(const std::string& column, const records::RecordStream& record,
-                         const std::string& before = "");
+                         const std::string& before = "", double unit = units::millimetre);
 
 // The same of several columns of one file: losses are those of all.
 using Records = std::vector<std::unique_ptr<const records::RecordStream>>;

@@ -11,6 +11,7 @@
 #include <railbook/filters/hybrid_filter.hpp>
 #include <railbook/geometry_car/detail/health_parts.hpp>
 #include <railbook/num/median.hpp>
+#include <railbook/num/pile.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -290,32 +291,11 @@ void examine_still(const ChannelInfo& c, const Processing& p, Record& record, He
                                   : "kept, and not trusted (--screen still masks them)")});
 }
 
-// A value that comes ten times and more, and ten times as often as the one next to it: the lowest
-// of a column, or of its negative the highest; nothing where there is no such pile.
-std::optional<double> pile(const Column& x, double sign) {
-  double lowest = units::infinity, next = units::infinity;
-  std::size_t at_lowest = 0, at_next = 0;
-  for (const double value : x) {
-    const double v = sign * value;
-    if (std::isnan(v) || v > next) continue;
-    if (v < lowest) {
-      next = std::exchange(lowest, v);
-      at_next = std::exchange(at_lowest, 0);
-    } else if (v > lowest && v < next) {
-      next = v;
-      at_next = 0;
-    }
-    ++(v == lowest ? at_lowest : at_next);
-  }
-  const bool piled = at_next > 0 && at_lowest >= 10 && at_lowest >= 10 * at_next;
-  return piled ? std::optional{sign * lowest} : std::nullopt;
-}
-
 // A converter at both of its ends. An acceleration that has been filtered twice has no such crests.
 void examine_clipping(const ChannelInfo& c, Record& record, Health& health) {
   if (c.filter != 2) return;
   Column& x = record[c.channel];
-  const auto lowest = pile(x, 1), highest = pile(x, -1);
+  const auto lowest = num::pile(x, 1), highest = num::pile(x, -1);
   if (!lowest || !highest) return;
   const double low = *lowest, high = *highest;
   std::size_t first = x.size(), rows = 0;

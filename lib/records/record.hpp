@@ -29,6 +29,7 @@ struct RecordOptions {
   double unit = 1;  // m, of one in the file's numbers: codes are known by their digits
   Resync resync = Resync::refuse;
   std::string header = {};  // of its column in a file
+  std::string si = "m";     // SI unit of the values, for warnings; only heights are judged as track
 };
 
 // A place that a warning is about.
@@ -36,7 +37,9 @@ struct SuspectPlace {
   std::string key;          // of the warning
   double from = 0, to = 0;  // m
   std::size_t samples = 0;
-  double size = 0;  // m: the value, the height of a step, the jump of a position; NaN for none
+  // m, or the SI unit of the values: the value, the height of a step, the jump of a position (m);
+  // NaN for none
+  double size = 0;
   bool taken_out = false;
   std::string option;  // that takes it out, or keeps it
 };

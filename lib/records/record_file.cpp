@@ -134,7 +134,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
                       .screening = source.screening,
                       .unit = metre[i],
                       .resync = source.resync,
-                      .header = reader.header()[column[i]]},
+                      .header = reader.header()[column[i]],
+                      .si = units::si_name(dimension(i))},
         [&sinks, &records, i](std::span<const double> piece) { sinks[i](piece, *records[i]); });
   Miles miles;
   miles.in_miles = positions && positions->columns.size() == 1 && !positions->yards &&

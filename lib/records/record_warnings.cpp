@@ -89,6 +89,7 @@ double RecordStream::roughness() const {
 
 std::vector<units::Warning> RecordStream::warnings() const {
   std::vector<units::Warning> result = notes_;
+  const std::string si = " " + options_.si + " at ";
   const auto add = [&](Fault fault, bool taken_out, const auto& text) {
     const Found f = find(faults(), fault, taken_out);
     if (f.samples == 0) return;
@@ -102,14 +103,14 @@ std::vector<units::Warning> RecordStream::warnings() const {
   for (const bool out : {true, false}) {
     add(Fault::code, out, [&](const Found& f, const std::string& at) {
       return samples_text(f.samples) + " far off with one value, such as " +
-             short_text(f.longest.value) + " m at " + at + ": a code for a lost sample? " +
+             short_text(f.longest.value) + si + at + ": a code for a lost sample? " +
              (out ? std::string{"Taken out (--screen none keeps them)"}
                   : "They are kept (--missing " + short_text(f.longest.value / options_.unit) +
                         " takes them out)");
     });
     add(Fault::outlier, out, [&](const Found& f, const std::string& at) {
       return samples_text(f.samples) + " in " + places_text(f.stretches) +
-             " far off, the largest by " + short_text(f.longest.off) + " m at " + at +
+             " far off, the largest by " + short_text(f.longest.off) + si + at +
              ": a defect, or a fault of the recorder? " +
              (out ? "Taken out (--screen none keeps them)"
                   : "They are kept (--screen outliers takes them out)");
@@ -121,14 +122,14 @@ std::vector<units::Warning> RecordStream::warnings() const {
     });
     add(Fault::step, out, [&](const Found& f, const std::string& at) {
       return "the level steps at " + places_text(f.stretches) + ", the largest by " +
-             short_text(f.longest.value) + " m at " + at + ": a defect, or a change of datum? " +
+             short_text(f.longest.value) + si + at + ": a defect, or a change of datum? " +
              (out ? "The record is cut there"
                   : "It is kept (--screen steps cuts the record there)");
     });
   }
   add(Fault::jump, false, [&](const Found& f, const std::string& at) {
     return "the level jumps and comes back at " + places_text(f.stretches) + ", the largest by " +
-           short_text(f.longest.value) + " m at " + at +
+           short_text(f.longest.value) + si + at +
            ": a defect of the track, or a fault of the recorder? Nothing is taken out";
   });
   add(Fault::cut, false, [&](const Found& f, const std::string& at) {
@@ -168,7 +169,8 @@ std::vector<units::Warning> RecordStream::warnings() const {
   const double inner = A * (moved_ > 0 ? moved_inner_ / moved_ / 0.58 : 0);
   const bool periodic = A < smoothest && inner >= smoothest;
   // Samples millimetres apart are of a rail's running surface.
-  if (spacing_ > 0.02 && A > 0 && !(A >= smoothest && A <= roughest) && !periodic)
+  if (options_.si == "m" && spacing_ > 0.02 && A > 0 && !(A >= smoothest && A <= roughest) &&
+      !periodic)
     result.push_back({"unit", "heights leave the chord of " +
                                   short_text(static_cast<double>(reach_) * spacing_) + " m by " +
                                   short_text(std::sqrt(moved_ / static_cast<double>(moves_)) /

@@ -144,10 +144,29 @@ add_test(NAME "tool: filters integrate does not ring at ends"
 set_tests_properties("tool: filters integrate does not ring at ends" PROPERTIES
                      PASS_REGULAR_EXPRESSION "height in the band, rms +(0\\.00[0-9]+|[0-9.]+e-0[0-9]) mm.*not within 664 m")
 refuses(filters "a band too fine" "shortest wavelength of the band is 1" integrate ${axlebox} --speed 20m/s --band 1m-3m)
-refuses(filters "a screen of accelerations" "screen judges heights" integrate ${axlebox} --speed 20m/s --screen outliers)
 # A code for lost samples in an acceleration is warned of by its place, and left out when it is named.
 add_test(NAME "tool: filters integrate warns of a code"
          COMMAND sh -c "awk -v h='distance_m,az_m/s^2' -v u=1 '${wave}' | awk -F, -v OFS=, 'NR==602||NR==603{$2=-9999} 1' >$1-code.csv && $0 filters integrate $1-code.csv --column az --speed 20m/s && $0 filters integrate $1-code.csv --column az --speed 20m/s --missing -9999"
                  $<TARGET_FILE:railbook> ${folder}/filters-wave)
 set_tests_properties("tool: filters integrate warns of a code" PROPERTIES
-                     PASS_REGULAR_EXPRESSION "WARNING: the acceleration is -9999 m/s.2 at 300 m, over 100 times its median.*heights in [^W]*rms +1\\.41[0-9] mm")
+                     PASS_REGULAR_EXPRESSION "WARNING: acceleration: 2 samples far off with one value, such as -9999 m/s.2 at 300 m to 300.5 m: a code.*heights in [^W]*rms +1\\.41[0-9] mm")
+# Faults of an accelerometer: warned of by count and place, in the answer and in warnings.csv, and taken out where --screen can.
+set(faulty "BEGIN{k=2*atan2(0,-1)/10; print \"distance_m,az_m/s^2\"; for(i=0;i<2400;i++){a=-20^2*k^2*(0.002*cos(k*i/4)+0.001*cos(1.7*k*i/4)+1e-4*sin(9.1*k*i/4)); %; printf \"%.2f,%.6f\\n\",i/4,a}}")
+function(warns_of name fault options warning)
+  string(REPLACE "%;" "${fault};" program "${faulty}")
+  add_test(NAME "tool: filters integrate warns of ${name}"
+           COMMAND sh -c "awk '${program}' >$1.csv && $0 filters integrate $1.csv --column az --speed 20m/s --out $1 --no-figures ${options} && cat $1/warnings.csv"
+                   $<TARGET_FILE:railbook> ${folder}/filters-fault-${name})
+  set_tests_properties("tool: filters integrate warns of ${name}" PROPERTIES PASS_REGULAR_EXPRESSION "${warning}")
+endfunction()
+warns_of(spikes "if(i==900||i==1500)a+=300" "" "WARNING: acceleration: 2 samples in 2 places far off, the largest by 30[0-9.]+ m/s.2 at (225|375) m.*az,outliers,225,225,1,30[0-9.]+,no,--screen outliers")
+warns_of(spikes-screened "if(i==900||i==1500)a+=300" "--screen outliers" "2 samples in 2 places far off.*Taken out.*rms +1\\.4[0-9]+ mm.*az,outliers,225,225,1,30[0-9.]+,yes")
+warns_of(a-stuck-sensor "if(i>=1000&&i<1080)a=0.2" "" "WARNING: acceleration: 79 samples repeat the one before, 79 of them from 250.25 m to 269.75 m: a sensor that stuck.*az,stuck,250.25,269.75,79,0.2,no")
+warns_of(clipping "if(a>0.25)a=0.25" "" "WARNING: [0-9]+ samples are at an end of the range, 0.25 m/s.2, the first at [0-9.]+ m: does the accelerometer clip.*az,clipped,")
+warns_of(a-unit-too-large "a*=9.80665*2" "" "WARNING: the heights are more than twice those of the roughest reference spectrum .fra-1, 8 mm.")
+warns_of(a-unit-too-small "a/=9.80665" "" "WARNING: the heights are below those of the smoothest reference spectrum .china-hsr, 0.28 mm.")
+string(REPLACE "%;" "" faultless "${faulty}")
+add_test(NAME "tool: filters integrate keeps a good accelerometer"
+         COMMAND sh -c "awk '${faultless}' >$1.csv && $0 filters integrate $1.csv --column az --speed 20m/s" $<TARGET_FILE:railbook> ${folder}/filters-no-fault)
+set_tests_properties("tool: filters integrate keeps a good accelerometer" PROPERTIES FAIL_REGULAR_EXPRESSION "WARNING"
+                     PASS_REGULAR_EXPRESSION "rms +1\\.4[0-9]+ mm")

@@ -18,6 +18,9 @@ twice, along the track and without phase, in a band of wavelengths. At a speed `
 #include <vector>
 
 #include <railbook/filters/double_integral.hpp>
+#include <railbook/num/median.hpp>
+#include <railbook/num/pile.hpp>
+#include <railbook/spectra/reference_spectra.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
@@ -49,12 +52,8 @@ struct Motion {
 Motion read(const IntegrateOptions& options) {
   if (options.speed.has_value() == !options.speed_column.empty())
     throw InputError{"speed: give --speed, or its column with --speed-column"};
-  if (options.record.screen != std::vector<std::string>{"codes"})
-    throw InputError{
-        "screen judges heights; allowed: left out for accelerations (--missing -9999 names a "
-        "code)"};
   records::RecordFile file = tools::record_file(options.record, options.record.batch.only());
-  file.screening = {.codes = false, .outliers = false, .stuck = false, .steps = false};
+  file.screening.codes = false;  // accelerations have no slope that is too steep
   std::vector<std::string> columns = options.record.columns;
   if (columns.size() != 1)
     throw InputError{fmt::format("{} columns of acceleration; allowed: one", columns.size())};
@@ -96,37 +95,131 @@ double smallest_step(std::vector<double> values) {
   return std::isinf(step) ? 0 : step;
 }
 
-// Codes for lost samples are as large as no neighbour: the first sample of over a hundred times the
-// median, if any.
-std::optional<std::size_t> far_off(const std::vector<double>& values) {
+// A hundred times the median of their sizes: beyond it are codes.
+double far_off(const std::vector<double>& values) {
   std::vector<double> sizes;
   for (const double v : values)
     if (!std::isnan(v)) sizes.push_back(std::abs(v));
-  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const auto found = std::ranges::find_if(
-      values, [limit = 100 * *middle](double v) { return limit > 0 && std::abs(v) > limit; });
-  return found == values.end() ? std::nullopt : std::optional{std::size_t(found - values.begin())};
+  return 100 * num::upper_median(sizes);
 }
 
-// What the reading says of places and samples. What it says of values is meant for heights, in
-// metres.
+// Where an accelerometer stands at an end of its range.
+struct Clipped {
+  std::vector<double> ends;
+  std::size_t samples = 0, first = 0, last = 0;
+};
+
+// In single precision: crests of computed waves differ in the last digits. One stretch alone is a
+// sensor that stuck, or a code.
+Clipped find_clipped(const std::vector<double>& values) {
+  std::vector<double> rounded;
+  for (const double v : values) rounded.push_back(static_cast<float>(v));
+  Clipped clipped;
+  const double limit = far_off(values);
+  for (const double sign : {1.0, -1.0}) {
+    const auto end = num::pile(rounded, sign);
+    if (!end || std::abs(*end) > limit) continue;
+    std::size_t samples = 0, stretches = 0, first = 0, last = 0;
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+      if (rounded[i] != *end) continue;
+      if (samples == 0) first = i;
+      if (samples == 0 || last + 1 < i) ++stretches;
+      last = i;
+      ++samples;
+    }
+    if (stretches < 3) continue;
+    clipped.first = clipped.ends.empty() ? first : std::min(first, clipped.first);
+    clipped.last = std::max(last, clipped.last);
+    clipped.samples += samples;
+    clipped.ends.push_back(*end);
+  }
+  return clipped;
+}
+
+// What the reading says; of the speed only what it says of places and samples.
 void add_warnings(tool::Summary& s, const Motion& motion) {
   constexpr std::array of_samples{"counted", "unplaced", "kilometre",
                                   "bridged", "spacing",  "still"};
+  const records::RecordStream& record = *motion.records[0];
+  const Clipped clipped = find_clipped(motion.acceleration);
+  if (!clipped.ends.empty())
+    s.warn("clipped",
+           fmt::format("{} samples are at an end of the range, {}{:.4g} m/s^2, the first at {:g} "
+                       "m: does the accelerometer clip? They are kept; what is cut off is missing "
+                       "in the heights",
+                       clipped.samples,
+                       clipped.ends.size() > 1 ? fmt::format("{:.4g} or ", clipped.ends[0]) : "",
+                       clipped.ends.back(), record.places().at(clipped.first)));
+  const bool only_clipped = std::ranges::all_of(record.faults(), [&](const auto& fault) {
+    return fault.fault != records::Fault::stuck ||
+           std::ranges::find(clipped.ends, static_cast<float>(fault.value)) != clipped.ends.end();
+  });
+  bool named = false;  // a code
   for (std::size_t i = 0; i < motion.records.size(); ++i)
     for (const units::Warning& warning : motion.records[i]->warnings()) {
       const std::string what = i == 0 ? "acceleration" : "speed", key = what + "_" + warning.key;
+      named = named || warning.key == "codes" || warning.key == "outliers";
       if (warning.key == "resampled")
         s.warn(key, what + ": straight lines between the samples, at the spacing of --resample");
-      else if (std::ranges::find(of_samples, warning.key) != of_samples.end())
+      else if (i == 0 ? warning.key != "stuck" || !only_clipped
+                      : std::ranges::find(of_samples, warning.key) != of_samples.end())
         s.warn(key, what + ": " + warning.text);
     }
-  if (const auto at = far_off(motion.acceleration))
-    s.warn("far_off",
-           fmt::format("the acceleration is {:.4g} m/s^2 at {:g} m, over 100 times its median: a "
-                       "code for a lost sample? (--missing)",
-                       motion.acceleration[*at], motion.records[0]->places().at(*at)));
+  const double limit = far_off(motion.acceleration);
+  const auto at = std::ranges::find_if(motion.acceleration,
+                                       [&](double v) { return limit > 0 && std::abs(v) > limit; });
+  if (!named && at != motion.acceleration.end())
+    s.warn("far_off", fmt::format("the acceleration is {:.4g} m/s^2 at {:g} m, over 100 times its "
+                                  "median: a code for a lost sample? (--missing)",
+                                  *at,
+                                  record.places().at(
+                                      static_cast<std::size_t>(at - motion.acceleration.begin()))));
+}
+
+// A row for each place; for all that is clipped, one.
+std::string warnings_of(const std::string& column, const Motion& motion) {
+  const records::RecordStream& record = *motion.records[0];
+  std::string text = "column,warning,from_m,to_m,samples,size_m_per_s2,taken_out,option\n" +
+                     tools::warning_rows(column, record, "", 1);
+  if (const Clipped c = find_clipped(motion.acceleration); !c.ends.empty())
+    text += fmt::format("{},clipped,{},{},{},{},no,\n", table::csv_cell(column),
+                        table::csv_number(record.places().at(c.first)),
+                        table::csv_number(record.places().at(c.last)), c.samples,
+                        table::csv_number(c.ends.front()));
+  return text;
+}
+
+// The rms that a reference spectrum of heights has in a band.
+double rms_in(const spectra::Reference& reference, const filters::Band& band) {
+  constexpr int points = 400;
+  const double low = 0.3 / band.longest, high = 3 / band.shortest;
+  double squares = 0;
+  for (int i = 0; i <= points; ++i) {
+    const double phi = low * std::pow(high / low, static_cast<double>(i) / points);
+    squares += std::pow(filters::band_gain(band, 2, phi), 2) * reference.density(phi) * phi;
+  }
+  return std::sqrt(squares * std::log(high / low) / points);
+}
+
+// Noise and wrong units: heights far from those of all reference spectra, where these have waves.
+void judge_size(tool::Summary& s, const filters::Band& band, double height) {
+  if (band.shortest < 1 || band.longest > 300) return;
+  const spectra::Reference *least = nullptr, *most = nullptr;
+  for (const spectra::Reference& r : spectra::references()) {
+    if (r.channel != "vertical") continue;
+    if (!least || rms_in(r, band) < rms_in(*least, band)) least = &r;
+    if (!most || rms_in(r, band) > rms_in(*most, band)) most = &r;
+  }
+  if (const double limit = 2 * rms_in(*most, band); height > limit)
+    s.warn("unit", fmt::format("the heights are more than twice those of the roughest reference "
+                               "spectrum ({}, {:.2g} mm): noise of the accelerometer, or a wrong "
+                               "unit or speed?",
+                               most->name, 0.5 * limit / millimetre));
+  if (const double limit = rms_in(*least, band); height < limit)
+    s.warn("unit", fmt::format("the heights are below those of the smoothest reference spectrum "
+                               "({}, {:.2g} mm): is the unit right, and does the accelerometer "
+                               "follow the track?",
+                               least->name, limit / millimetre));
 }
 
 double rms(const std::vector<double>& values) {
@@ -137,7 +230,7 @@ double rms(const std::vector<double>& values) {
 }
 
 void integrate(const IntegrateOptions& options) {
-  tool::OutFolder out(options.out, {"heights.csv", "integrate.json"});
+  tool::OutFolder out(options.out, {"heights.csv", "warnings.csv", "integrate.json"});
   const filters::Band band = filters::parse_band("band", options.band);
   const Motion motion = read(options);
   const records::RecordStream& record = *motion.records.front();
@@ -190,6 +283,7 @@ void integrate(const IntegrateOptions& options) {
           fmt::format("acceleration of 1 mm at {:g} m", length),
           millimetre * std::pow(2 * units::pi * motion.slowest / length, 2), "m/s^2",
           "at the slowest speed; an error as large is as high");
+  judge_size(s, band, height);
   if (noise > 0.05 * height)
     s.warn("steps", fmt::format("the column's steps of {:.3g} m/s^2 make {:.2g} mm of {:.2g} mm: a "
                                 "shorter band, a higher speed or more digits are needed",
@@ -208,6 +302,7 @@ void integrate(const IntegrateOptions& options) {
       text += '\n';
     }
     out.add("heights.csv", text);
+    out.add("warnings.csv", warnings_of(options.record.columns.front(), motion));
     out.add("integrate.json", s.json());
   }
   out.commit();
@@ -229,6 +324,14 @@ tool::Tool integrate_tool() {
                "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
                "--unit names, m/s^2 or g; positions are along the track, or with --resample put on "
                "a grid.\n"
+               "Accelerations are screened as heights are, but codes are kept, too (--missing, or "
+               "--screen outliers, takes them out), and sizes in\n"
+               "warnings.csv are size_m_per_s2. The command also warns of samples at an end of the "
+               "range, as of an accelerometer that clips, and, in\n"
+               "bands from 1 m to 300 m, of heights over twice those of the roughest reference "
+               "spectrum "
+               "of psd classify, or below those of the\n"
+               "smoothest, as of noise or a wrong unit.\n"
                "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
                "empty beside ends and gaps until the band's\n"
                "filter has decayed to 2 % (51 m in D1, 236 m in D2, 664 m in D3, 1.2 km in "

@@ -17,6 +17,7 @@
 #include <railbook/num/gsl.hpp>
 #include <railbook/num/median.hpp>
 #include <railbook/num/parallel.hpp>
+#include <railbook/num/pile.hpp>
 #include <railbook/num/quadrature.hpp>
 #include <railbook/num/roots.hpp>
 #include <railbook/num/special.hpp>
@@ -192,4 +193,20 @@ TEST_CASE("extreme: a number that underflows or is rounded raises nothing") {
   sink = sink * sink;
   sink = 1.0 / 3.0;
   CHECK(flags.raised().empty());
+}
+
+TEST_CASE("num: a pile at the end of a range is ten values, and ten times as many as the next") {
+  for (const double sign : {1.0, -1.0})
+    for (const std::size_t at_end : {9, 10, 19, 20}) {
+      std::vector<double> values{units::nan, sign * 3, sign * 5};
+      values.insert(values.end(), at_end, sign * 1);
+      values.insert(values.end(), at_end < 15 ? 1 : 2, sign * 2);
+      CAPTURE(sign, at_end);
+      const auto end = num::pile(values, sign);
+      CHECK(end.has_value() == (at_end % 10 == 0));
+      if (end) CHECK(*end == sign);
+      CHECK_FALSE(num::pile(values, -sign).has_value());
+    }
+  CHECK_FALSE(num::pile({}, 1).has_value());
+  CHECK_FALSE(num::pile(std::vector<double>(50, 1.0), 1).has_value());  // of one value alone
 }
