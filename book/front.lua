@@ -256,7 +256,7 @@ function front.hunting(records)
     .. "and the body swings with them; the paths of the wheelsets lie behind them."):format(speed, amplitude)
   local figure = ('<figure class="moving"><style>%s</style><div><input type="checkbox" id="still"><label for="still">hold</label>'):format(table.concat(css))
     .. ('<svg viewBox="0 0 %d %d" role="img" preserveAspectRatio="xMidYMid slice" aria-label="%s">%s</svg>'):format(plan.width, plan.height, html.escape(says), table.concat(out))
-    .. ('</div><figcaption><b>An empty freight car hunts at %g ft/s.</b> The leading wheelsets of its trucks swing %.2g in to either side, from flange to flange. '
+    .. ('</div><figcaption><b>An empty freight car hunts at %g ft/s.</b> The leading wheelset of each truck is drawn; it swings %.2g in to either side. '
       .. 'Computed; profiles and dampers are ours. %.0f times enlarged across, %.0f times slower. <a href="%s">Choose the speed</a>.</figcaption></figure>')
       :format(speed, amplitude, magnified, seconds / period, r.chapter .. ".html#live-hunting")
   return figure
@@ -287,7 +287,7 @@ end
 -- Every number that a paper prints as a mark: its difference from the print on a scale of powers of ten, with its tolerance, in the colour
 -- of what came of it; numbers that our copies do not show are marks on the lowest line. Each is a link to its check.
 function front.numbers(records)
-  local columns = {}
+  local columns, untested = {}, 0 -- untested: numbers that can be read, and compared with nothing
   for _, r in ipairs(records) do
     local list = {}
     for _, check in ipairs(r.checks) do
@@ -295,6 +295,7 @@ function front.numbers(records)
     end
     for _, row in ipairs(r.inventory) do
       if row.kind == "number" and (row.reason or ""):find("^unreadable") then list[#list + 1] = {lost = row} end
+      if row.kind == "number" and (row.reason or ""):find("^not testable") then untested = untested + 1 end
     end
     if #list > 0 then columns[#columns + 1] = {r = r, list = list} end
   end
@@ -368,8 +369,8 @@ function front.numbers(records)
   end
   if seen.lost then key[#key + 1] = ('<span class="lost">unreadable</span> %d'):format(seen.lost) end
   return '<figure class="numbers"><div class="wide">' .. ('<svg viewBox="0 0 %d %d" role="group" aria-label="All printed numbers: difference from the print">%s</svg>')
-    :format(chart.width, lowest + 36, table.concat(out)) .. ("</div><figcaption><b>All %d printed numbers that can be read.</b> Height: difference from the print; line: tolerance; "
-      .. "triangles: corrected or not confirmed. Each mark leads to its check. %s. %d of %d figures are rebuilt with inputs of ours.</figcaption></figure>"):format(marks, table.concat(key, " · "), rebuilt, drawn)
+    :format(chart.width, lowest + 36, table.concat(out)) .. ("</div><figcaption><b>All %d printed numbers that can be compared</b> (%d more cannot). Height: difference from the print, logarithmic beyond 0.01 %%; "
+      .. "line: tolerance; triangles: corrected or not confirmed. %s. %d of %d figures rest on our inputs.</figcaption></figure>"):format(marks, untested, table.concat(key, " · "), rebuilt, drawn)
 end
 
 -- ---- the doors

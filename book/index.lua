@@ -11,13 +11,29 @@ local equations, appendix = require "equations", require "appendix"
 local tools, csv, dkjson = require "tools", require "csv", require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
-  "not confirmed", "unreadable", "claims: confirmed / consistent / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
+  "not confirmed", "unreadable / not testable", "claims: confirmed / consistent / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
+
+-- How many entries of a chapter's inventory are of a kind and left out for a reason.
+local function left_out_of(r, kind, reason)
+  local count = 0
+  for _, line in ipairs(r.inventory) do
+    if line.kind == kind and line.reason:find("^" .. reason) then count = count + 1 end
+  end
+  return count
+end
 
 local function headline_row(r)
   local name = r.chapter:match("^%d+%-(.*)$")
   local row = {html.tag("a", {href = r.chapter .. ".html", title = r.title}, r.number .. " " .. html.escape(name)),
     class = record.tally(r.checks) < #r.checks and "failed" or nil}
-  for _, cell in ipairs(r.headline or {}) do row[#row + 1] = {cell == "0" and "–" or cell, class = "number"} end
+  local cells = {table.unpack(r.headline or {})}
+  if #cells > 0 then -- of the record's all that is unreadable and not testable, here the numbers and the claims apart
+    local unreadable, untested = left_out_of(r, "number", "unreadable"), left_out_of(r, "number", "not testable")
+    cells[1] = tostring(math.tointeger(tonumber(cells[1]) - tonumber(cells[8])) + unreadable + untested)
+    cells[8] = unreadable + untested == 0 and "0" or ("%d / %d"):format(unreadable, untested)
+    cells[9] = cells[9]:gsub("%d+$", tostring(left_out_of(r, "claim", "not testable")))
+  end
+  for _, cell in ipairs(cells) do row[#row + 1] = {cell == "0" and "–" or cell, class = "number"} end
   return row
 end
 
@@ -49,7 +65,7 @@ local function in_short(records)
       drawn, figures = drawn + own, figures + own + rebuilt + lost
     end
   end
-  return html.tag("p", nil, ("Of the %d printed numbers that can be read, %d are confirmed to the last digit or consistent within a stated "
+  return html.tag("p", nil, ("Of the %d printed numbers that can be compared, %d are confirmed to the last digit or consistent within a stated "
     .. "tolerance. Of the %d figures, %d are drawn from data that the paper prints; the others are rebuilt from inputs of ours, "
     .. "which their captions name, or lost."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
 end

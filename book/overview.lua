@@ -50,7 +50,8 @@ local function finding_row(checks, kind, r)
     came = {"–", class = "number"}
   end
   if trial ~= "" then
-    why = why .. html.tag("details", {class = "trial"}, html.tag("summary", nil, "What was varied") .. html.tag("p", nil, html.text(trial)))
+    local of = #checks > 1 and ", for " .. html.text(check.what or check.id) or ""
+    why = why .. html.tag("details", {class = "trial"}, html.tag("summary", nil, "What was varied" .. of) .. html.tag("p", nil, html.text(trial)))
   end
   return {check_link(check, r) .. more, {tostring(r.number), class = "number", sort = r.number}, kind, check_tables.outcome(check),
     check_tables.cell(list_of(checks, function(c) return check_tables.expected(c, true) end)), came, why}
@@ -59,9 +60,9 @@ end
 -- What came out otherwise than printed, first what the paper has otherwise and a chapter's own findings name.
 local function findings_table(records, parts)
   local found, counts = {}, {}
-  local function add(rank, named, r, kind, row)
+  local function add(rank, named, r, kind, row, statements)
     found[#found + 1] = {rank = rank * 2 + (named and 0 or 1), chapter = r.number, order = #found, kind = kind, row = row}
-    counts[kind] = (counts[kind] or 0) + 1
+    counts[kind] = (counts[kind] or 0) + statements
   end
   for _, r in ipairs(records) do
     local named, groups, order = named_in(parts[r.chapter] and parts[r.chapter].findings), {}, {}
@@ -79,16 +80,16 @@ local function findings_table(records, parts)
     end
     for _, group in ipairs(order) do
       local kind = kinds[group.outcome]
-      add(kind[1], group.named, r, kind[2], finding_row(group, kind[2], r))
+      add(kind[1], group.named, r, kind[2], finding_row(group, kind[2], r), #group)
     end
     for _, line in ipairs(r.inventory) do
       local outcome = line.reason:match("^(not testable)") or line.reason:match("^(unreadable)")
-      if outcome and #line.treated == 0 then
+      if outcome then
         local kind = kinds[outcome]
         local why = line.reason:gsub("^%a[%a ]+: ?", "")
         add(kind[1], false, r, kind[2], {html.tag("a", {href = r.chapter .. ".html#paper-row-by-row"}, html.text(line.what)),
           {tostring(r.number), class = "number", sort = r.number}, kind[2], {html.badge(outcome), class = "outcome"}, "–", "–",
-          items.named(why, r, "index")})
+          items.named(why, r, "index")}, 1)
       end
     end
   end

@@ -58,7 +58,7 @@ foreach(record ${records})
   endforeach()
   string(APPEND table "| [${name}](chapters/${name}) | ${paper_${name}} | ${of_here} | ${of_upheld} | ${use_${name}} |\n")
 endforeach()
-string(PREPEND table "Of the ${printed} printed numbers that our copies show, ${met} are reproduced. Of ${figures} figures, ${drawn} are drawn from data that the paper
+string(PREPEND table "Of the ${printed} printed numbers that can be compared, ${met} are reproduced. Of ${figures} figures, ${drawn} are drawn from data that the paper
 prints; the others are rebuilt from inputs of ours, or lost.\n\n")
 file(READ ${root}/README.md readme)
 string(REGEX MATCH "<!-- headline -->\n.*<!-- /headline -->" old "${readme}")

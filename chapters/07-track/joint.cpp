@@ -168,7 +168,8 @@ void joint_table(report::Item& item) {
     item.value(fmt::format("k-theta-{:.0f}", loss), spring / 1e6, "MN·m/rad", "{:.2f}");
   }
   const auto of = [](const JointCurve& c) {
-    return std::vector{std::abs(c.fit.error), c.rms, c.rms_without, c.rms / c.rms_without};
+    return std::vector{std::abs(c.fit.error), c.rms, c.rms_without, c.rms / c.rms_without,
+                       100 * (1 - c.worse)};
   };
   item.claims({{"eq8-free", of(free)}, {"eq8-pinned", of(pinned)}});
   report::values(item, "", "{:.2f}", "free-rms", free.rms, "hinge-rms", pinned.rms, "hinge-out-rms",
