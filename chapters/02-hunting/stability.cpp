@@ -190,10 +190,10 @@ void true_branches(report::Item& item) {
                            "of the equations, ft/s", "stable on the flange, ft/s (what ends it)"}));
   for (const Vehicle& v : vehicles()) {
     std::string stable;
+    const int decimals = v.key == "heumann" || v.friction() ? 2 : 1;  // of short stretches
     for (const StableStretch& s : stable_stretches(true_branch(v.key), v.flange))
       stable += fmt::format("{}{:.{}f} to {:.{}f} ({})", stable.empty() ? "" : ", then ",
-                            s.speeds.low, v.key == "heumann" ? 2 : 1, s.speeds.high,
-                            v.key == "heumann" ? 2 : 1, s.loss);
+                            s.speeds.low, decimals, s.speeds.high, decimals, s.loss);
     item.add_row(v.name, fastest(v).quasi, fastest(v).exact, stable);
   }
   const Vehicle &fresh = vehicle("new"), &cn = vehicle("cn");
