@@ -74,7 +74,7 @@ scene::Scene car_scene() {
   cube({0, 0, floor_z + 0.09}, 0.18, Colour{0.90, 0.62, 0.0});
   rod({-0.7, 0.35, floor_z}, {-0.7, 0.35, floor_z + 0.22}, 0.10, gyro);
   rod({-0.8, -0.35, floor_z + 0.1}, {-0.5, -0.35, floor_z + 0.1}, 0.10, gyro);
-  for (const double x : {-0.55, -1.35}) rod({x, -0.95, 0.92}, {x, -0.3, 0.92}, 0.03, displacement);
+  for (const double x : {-0.55, -1.35}) rod({x, -1.4, 0.8}, {x, -0.3, 0.8}, 0.045, displacement);
   rod({-1.9, -1.05, radius}, {-1.9, -1.22, radius}, 0.12, Colour{0.2, 0.2, 0.2});
   return s;
 }
@@ -93,7 +93,7 @@ void fig_layout(report::Item& item) {
                    {{-0.7, 0.35, floor_z + 0.36}, "yaw gyro"},
                    {{-0.85, -0.35, floor_z + 0.27}, "roll gyro"},
                    {{0.0, -sensor_y, 0.75}, "height sensors"},
-                   {{-1.35, -0.95, 0.92}, "sway sensors"},
+                   {{-1.3, -1.4, 0.8}, "sway sensors"},
                    {{-1.9, -1.3, 0.25}, "encoder"}});
 }
 

@@ -114,7 +114,7 @@ void slides(report::Item& item) {
                   .reference = "µ_c N"},
                  full_slip);
   item.stability({.id = "spin-large",
-                  .what = "pure spin, Φ = 1e5",
+                  .what = "pure spin, Φ = 10⁵",
                   .stress = "fy falls to 0, mz to that of full slip",
                   .allowed = 2e-3,
                   .reference = "µ_c times the mean distance from the centre"},
@@ -324,7 +324,7 @@ void sweeps(report::Item& item) {
       item.full() ? 20000 : 250, 2003, two_grids);
   bench::worst_row(item,
                    {.id = "sweep-coefficients",
-                    .what = "Kalker's coefficients of degree 8, a/b from 1e-3 to 1e3",
+                    .what = "Kalker's coefficients of degree 8, a/b from 10⁻³ to 10³",
                     .stress = "true over stated error",
                     .allowed = 1,
                     .reference = "degree 16"},

@@ -42,7 +42,7 @@ double integration of an acceleration does:
 passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit
 integers there is no error at any length {{outcome:cost-drift/integers}}. So do not integrate along
 the track in single precision. In double precision the sums are good for any record tried, the
-integrators only while their sums stay below $2^{53}$ units; input that is not in whole units rounds
+integrators stay exact only while their sums are below $2^{53}$ units; input that is not in whole units rounds
 from the first sample, and was not tried. A filter that is to run for ever should start its sums
 anew, as the library's do.
 
