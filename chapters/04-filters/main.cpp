@@ -117,8 +117,6 @@ points:
 * The simulated car is linear, except for what its angles do to the readings of the sensors. It has
   five modes; its wheels have no flanges and do not hunt, that is, weave between the rails; body and
   beam do not bend. The track does not yield under load, and the encoder neither slips nor wears.
-* `railbook filters process` takes a median speed below 0.5 m/s for a wrong clock; it warns, and calls
-  nothing good but the gage.
 
 ## Use it
 
