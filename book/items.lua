@@ -240,9 +240,11 @@ function items.coverage(r, page)
     rows[i] = {html.text(row.place), html.text(row.number ~= "" and row.number or row.kind), html.text(row.what),
       table.concat(treated, " ") .. (#treated > 0 and row.reason ~= "" and "; " or "") .. items.named(row.reason, r, page)}
   end
-  local content = html.table("coverage cards", {"place", "number", "what the paper has", "here"}, rows)
+  local papers = not (r.paper or ""):match("^Addition") -- else a chapter beyond the papers
+  local content = html.table("coverage cards", {"place", "number", papers and "what the paper has" or "what is compared", "here"}, rows)
   return html.tag("details", {class = "more", id = "paper-row-by-row"},
-    html.tag("summary", nil, ("The paper row by row: %d equations, numbers, figures and claims, with what treats each"):format(#rows)) .. content)
+    html.tag("summary", nil, (papers and "The paper row by row: %d equations, numbers, figures and claims, with what treats each"
+      or "What is compared, row by row: %d"):format(#rows)) .. content)
 end
 
 function items.verdicts(r, page)
