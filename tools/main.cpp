@@ -26,7 +26,8 @@ constexpr const char* help = R"help(From a recorder's file to a table of its sec
 track.csv is a table with a line of headers, a column of positions and columns of heights, as distance_m,profile_mm or
 "Distance [km]";"Profile (mm)". Quantities carry their unit: 0.5in, 60mph, 80kN. `railbook SUBJECT TOOL --help` lists a
 tool's options, columns and an example. Examples are in ../share/railbook/examples beside the command's folder.
-Exit status: 0 good, 1 a check failed, 2 bad input or usage, 3 the outside failed (a full disk, gnuplot).)help";
+Exit status: 0 good, 1 a check failed or a method found no answer, 2 bad input or usage, 3 the outside failed (a full
+disk, gnuplot).)help";
 
 }  // namespace
 

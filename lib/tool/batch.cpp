@@ -54,8 +54,11 @@ struct Answer {
   std::vector<Json> rows;
 };
 
+// Status and reason where the row has its own, and its cells.
 Json json_of(const Row& row) {
   Json json = Json::object();
+  if (row.refused())
+    json = {{"status", "refused"}, {"reason", units::printable(*row.refused(), 1000)}};
   for (const Row::Cell& cell : row.cells()) {
     if (cell.is_text)
       json[cell.key] = cell.text;
@@ -67,8 +70,12 @@ Json json_of(const Row& row) {
 
 Answer answer(const fs::path& record, const RecordRows& work) {
   Answer a{record, "ok", "", {}};
+  std::optional<std::string> row_refused;
   try {
-    for (const Row& row : work(record)) a.rows.push_back(json_of(row));
+    for (const Row& row : work(record)) {
+      a.rows.push_back(json_of(row));
+      if (!row_refused) row_refused = row.refused();
+    }
   } catch (const InputError& error) {
     a.status = "refused", a.reason = error.what();
   } catch (const std::bad_alloc&) {
@@ -85,6 +92,7 @@ Answer answer(const fs::path& record, const RecordRows& work) {
     whole.update(row);
     row = std::move(whole);
   }
+  if (row_refused) a.status = "refused", a.reason = units::printable(*row_refused, 1000);
   return a;
 }
 
@@ -183,7 +191,8 @@ void print(const std::vector<Answer>& answers, const std::string& name) {
   std::size_t shown = 0;
   for (const Answer& a : answers)
     for (const Json& row : a.rows)
-      if (a.status == "ok" && row.value("kind", "record") == "record" && ++shown <= most)
+      if (row.value("status", "") == "ok" && row.value("kind", "record") == "record" &&
+          ++shown <= most)
         summary.add(fmt::format("row_{}", shown),
                     files::quoted_name(a.record) +
                         (row.contains("column") ? ", " + row.value("column", "") : std::string{}),

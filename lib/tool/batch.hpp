@@ -12,7 +12,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <railbook/tool/options.hpp>
@@ -27,6 +29,9 @@ class Row {
   void add(std::string key, std::string text);
   // Warnings, as Summary's: in the column "warnings", joined by semicolons.
   void warn(const std::string& key);
+  // Gives this row of a record the status "refused" and a reason; the record's other rows stand.
+  void refuse(std::string reason) { reason_ = std::move(reason); }
+  const std::optional<std::string>& refused() const { return reason_; }
 
   struct Cell {
     std::string key, text;
@@ -37,6 +42,7 @@ class Row {
 
  private:
   std::vector<Cell> cells_;
+  std::optional<std::string> reason_;
 };
 
 // An answer as a row: its numbers and texts by their keys, errors as KEY_error, and its warnings.
@@ -47,7 +53,8 @@ using RecordRows = std::function<std::vector<Row>(const std::filesystem::path& r
 // Answers all records, on `threads` threads, and prints what came of them; with --json, a line for
 // each row as soon as its record is answered. With --out DIR: DIR/NAME-table.csv and .jsonl, one
 // row an answer: record, status (ok, refused, failed), reason, then the rows' own columns. A record
-// that is refused or that fails is a row with its reason, and the others are answered. Then throws
+// that is refused or that fails is a row with its reason, and the others are answered; a record of
+// which a row is refused counts as refused. Then throws
 // files::OutsideError when a record failed, else InputError when one was refused: not all of them
 // are answered, and the exit status says so.
 void run_batch(const RecordFiles& records, const Destination& out, const std::string& name,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <railbook/contact/hertz.hpp>
 #include <railbook/rolling/kalker_table.hpp>
@@ -22,14 +23,17 @@ namespace {
 
 constexpr int count = 60;
 
-// The overlap at t, between the places of the patch's line: a cubic through four.
+// The overlap at t, between the places of the patch's line: a cubic through four, of which an outer
+// one beyond a profile's end is on the line through its neighbours.
 double at(const std::vector<Depth>& line, double t, double Depth::*value) {
   const double h = line[1].t - line[0].t, place = (t - line.front().t) / h;
   const auto last = static_cast<double>(line.size() - 3);
   const auto i = static_cast<std::size_t>(std::clamp(std::floor(place), 1.0, last));
   const double u = place - static_cast<double>(i);
-  const double a = line[i - 1].*value, b = line[i].*value, c = line[i + 1].*value,
-               d = line[i + 2].*value;
+  double a = line[i - 1].*value, d = line[i + 2].*value;
+  const double b = line[i].*value, c = line[i + 1].*value;
+  if (!std::isfinite(a)) a = 2 * b - c;
+  if (!std::isfinite(d)) d = 2 * c - b;
   return b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a)));
 }
 
@@ -90,7 +94,7 @@ double sinking(const Strips& s, const Strip& from) {
   return sum;
 }
 
-void finish(Strips& s, double t_deepest, double effective_modulus) {
+void finish(Strips& s, double t_deepest, double effective_modulus, bool continuous) {
   for (const Strip& strip : s.strips) s.longest = std::max(s.longest, strip.half_length);
   // Outwards from the longest: how far have the strips shortened, and lengthened again?
   const auto longest = static_cast<std::size_t>(
@@ -114,18 +118,25 @@ void finish(Strips& s, double t_deepest, double effective_modulus) {
     s.area += 2 * strip.half_length * s.width;
   }
   // Midway between two strips' middles the integral is smooth: from the boundary nearest to the
-  // deepest place.
-  Strip from = *std::ranges::min_element(s.strips, {}, [&](const Strip& strip) {
-    return std::abs(strip.t + 0.5 * s.width - t_deepest);
-  });
-  from.t += 0.5 * s.width;
-  s.p_max = s.approach * pi * effective_modulus / sinking(s, from);
+  // deepest place, or on the line between the boundaries on either side of it.
+  const auto below = [&](double t) {
+    Strip from = *std::ranges::min_element(
+        s.strips, {}, [&](const Strip& strip) { return std::abs(strip.t + 0.5 * s.width - t); });
+    from.t += 0.5 * s.width;
+    return std::pair{from.t, sinking(s, from)};
+  };
+  auto [t, sunk] = below(t_deepest);
+  if (continuous && t != t_deepest) {
+    const auto [other, other_sunk] = below(t + std::copysign(s.width, t_deepest - t));
+    if (other != t) sunk = std::lerp(sunk, other_sunk, (t_deepest - t) / (other - t));
+  }
+  s.p_max = s.approach * pi * effective_modulus / sunk;
   s.load = s.p_max * pi / 2 * squares / s.longest * s.width;
 }
 
 }  // namespace
 
-Strips semi_hertzian(const Patch& patch, double effective_modulus, double down) {
+Strips semi_hertzian(const Patch& patch, double effective_modulus, double down, bool continuous) {
   Strips s;
   const Ends whole = ends_of(patch.line, down, 0);
   s.approach = whole.deepest;
@@ -146,7 +157,7 @@ Strips semi_hertzian(const Patch& patch, double effective_modulus, double down) 
     if (square > 0) s.strips.push_back({t, at(patch.line, t, &Depth::x), std::sqrt(square)});
   }
   if (s.strips.empty()) return s;
-  finish(s, whole.t_deepest, effective_modulus);
+  finish(s, whole.t_deepest, effective_modulus, continuous);
   return s;
 }
 

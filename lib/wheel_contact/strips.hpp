@@ -34,8 +34,10 @@ struct Strips {
 };
 
 // Of a patch whose wheel is lowered by `down` [m] along n since the patch was made; empty when
-// nothing overlaps.
-Strips semi_hertzian(const Patch& patch, double effective_modulus, double down = 0);
+// nothing overlaps. As the deepest place moves from one strip to the next, the load jumps, by 1 %
+// on an uneven patch; `continuous`: it does not, for twice the time.
+Strips semi_hertzian(const Patch& patch, double effective_modulus, double down = 0,
+                     bool continuous = false);
 
 // Hertz's own ellipse, from the depth and the curvatures at the deepest place (across, from three
 // places one eighth of the overlap's width apart). Throws InputError when the surfaces are not

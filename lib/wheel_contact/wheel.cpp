@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <railbook/units/constants.hpp>
@@ -44,16 +45,17 @@ void check(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
   require_between("cells across", static_cast<double>(input.across), 8, 512);
 }
 
-// All patches at a depth by an approximate method, with frames made at the depth `frames`.
+// All patches at a depth by an approximate method, with frames made at the depth `frames`;
+// `continuous` as semi_hertzian().
 std::vector<PatchResult> approximate(const Work& w, double z, double frames, bool friction,
-                                     bool keep = false) {
+                                     bool continuous, bool keep = false) {
   std::vector<PatchResult> all;
   const double modulus = w.material.effective_modulus;
   for (Patch& patch : patches(w.wheel, w.touch, frames, w.input.patches)) {
     const double down = (z - frames) * std::cos(patch.frame.angle);
     PatchResult p;
     p.strips = w.input.method == Method::hertz ? hertzian(patch, modulus, down)
-                                               : semi_hertzian(patch, modulus, down);
+                                               : semi_hertzian(patch, modulus, down, continuous);
     if (p.strips.strips.empty()) continue;
     p.patch = std::move(patch);
     p.load = p.strips.load, p.approach = p.strips.approach;
@@ -93,20 +95,34 @@ Depths find_depth(const std::function<double(double)>& share, double zero, doubl
 }
 
 // Where areas merge into one patch the force jumps, and no depth may bear just the load: then the
-// frames of that depth are kept, with which it does not jump.
+// frames of that depth are kept, with which it does not jump, and where it still does, strips that
+// are continuous.
 struct Approximate {
   double z, frames;
-  bool converged, too_deep;
+  bool converged, too_deep, continuous;
 };
-Approximate approximate_depth(const Work& w, bool friction, double guess) {
+Approximate approximate_depth(const Work& w, bool friction, double guess, bool continuous) {
   const double zero = w.touch.z();
-  const auto share = [&](double z, double frames) {
-    return vertical_force(approximate(w, z, frames, friction)) / w.input.load;
+  const auto at = [&](double from, std::optional<double> frames) {
+    const auto share = [&](double z) {
+      return vertical_force(approximate(w, z, frames.value_or(z), friction, continuous)) /
+             w.input.load;
+    };
+    const Depths d = find_depth(share, zero, from, 1e-5);
+    return Approximate{d.z, frames.value_or(d.z), d.converged, d.too_deep, continuous};
   };
-  const Depths first = find_depth([&](double z) { return share(z, z); }, zero, zero + guess, 1e-5);
-  if (first.converged || first.too_deep) return {first.z, first.z, first.converged, first.too_deep};
-  const Depths kept = find_depth([&](double z) { return share(z, first.z); }, zero, first.z, 1e-5);
-  return {kept.z, first.z, kept.converged, kept.too_deep};
+  Approximate found = at(zero + guess, std::nullopt);
+  for (const bool last : {false, true}) {
+    continuous = continuous || last;
+    if (!found.converged && !found.too_deep) found = at(found.frames, found.frames);
+  }
+  return found;
+}
+
+// What the wheel would bear at the greatest depth without friction [N].
+double bearable(const Work& w) {
+  const double z = w.touch.z() + deepest_sinking;
+  return vertical_force(approximate(w, z, z, false, false));
 }
 
 void complete(const Work& w, WheelResult& out) {
@@ -139,7 +155,8 @@ struct WheelSolver::Parts {
   ContactSearch touch{};
   Work w{wheel, touch, input, rolling::combine(input.wheel, input.rail)};
   Full full{w, 0};
-  double depth = 0;  // the first guess
+  double depth = 0;         // the first guess
+  bool continuous = false;  // strips
 
   void place(const Pose& pose, double angular_velocity) {
     input.angular_velocity = angular_velocity;
@@ -168,6 +185,10 @@ WheelSolver::WheelSolver(const ProfilePair& pair, const WheelInput& input)
     : parts_(new Parts{input, PlacedWheel(pair, {})}) {}
 WheelSolver::~WheelSolver() = default;
 
+void WheelSolver::use_continuous_strips() {
+  parts_->continuous = true;
+}
+
 WheelResult WheelSolver::solve(const Pose& pose, double angular_velocity, Purpose purpose) {
   Parts& s = *parts_;
   s.full.slip_tolerance = purpose == Purpose::answer ? 1e-7 : 1e-5;
@@ -181,19 +202,27 @@ WheelResult WheelSolver::solve(const Pose& pose, double angular_velocity, Purpos
   const bool friction = s.input.friction.largest() > 0, full = s.input.method == Method::full;
   WheelResult out;
   out.z_touch = s.touch.z();
-  const Approximate depth = approximate_depth(s.w, friction, s.depth);
+  const Approximate depth = approximate_depth(s.w, friction, s.depth, s.continuous);
   out.z = depth.z;
   if (purpose == Purpose::step && !full && depth.converged) s.depth = out.z - out.z_touch;
   if (depth.too_deep) {
-    out.reason = "no depth up to 2 mm bears the load";
+    out.bearable = bearable(s.w);
+    out.reason = fmt::format(
+        "no depth up to {:g} mm bears the load of {:.6g} N (--load): friction holds the wheel up; "
+        "allowed: less friction (--mu), or another pose",
+        deepest_sinking / units::millimetre, s.input.load);
     return out;
   }
   if (!depth.converged && !full) {
-    out.reason = "verge of a second contact: by this method the load jumps; take the full theory";
+    out.reason = fmt::format(
+        "verge of a second contact: by this method the load jumps at {:.6g} N; take the full "
+        "theory "
+        "(--method full)",
+        s.input.load);
     return out;
   }
   out.converged = true;
-  out.patches = approximate(s.w, depth.z, depth.frames, friction, !full);
+  out.patches = approximate(s.w, depth.z, depth.frames, friction, depth.continuous, !full);
   if (full) {
     s.full.z0 = out.z;
     s.full.all = std::move(out.patches);
@@ -223,8 +252,19 @@ WheelResult WheelSolver::refine() {
   return out;
 }
 
+void require_bearable(const WheelInput& input, const WheelResult& wheel) {
+  if (!wheel.converged && input.load > wheel.bearable)
+    throw InputError{fmt::format(
+        "load is {:.6g} N; allowed (--load): up to {:.3g} N, which the contact bears {:g} mm deep, "
+        "where half-spaces end",
+        input.load, wheel.bearable, deepest_sinking / units::millimetre)};
+}
+
 WheelResult solve_wheel(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
-  return WheelSolver(pair, input).solve(pose, input.angular_velocity, WheelSolver::Purpose::answer);
+  WheelResult out =
+      WheelSolver(pair, input).solve(pose, input.angular_velocity, WheelSolver::Purpose::answer);
+  require_bearable(input, out);
+  return out;
 }
 
 }  // namespace railbook::wheel_contact

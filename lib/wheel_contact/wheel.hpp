@@ -84,14 +84,16 @@ struct WheelResult {
   double axle_moment =
       0;  // of the forces on the wheel about the axle [N m]; > 0 speeds a forward turn down
   bool converged = false;
-  std::string reason;                    // why not
+  std::string reason;  // why not
+  // Where no depth up to 2 mm bears the load: what that depth bears without friction [N].
+  double bearable = std::numeric_limits<double>::infinity();
   std::vector<units::Warning> warnings;  // verge of a second contact, conformal, coarse ...
 };
 
 // Load to 1e-5 (full: with the share that friction bears to 1e-3). Throws InputError naming what is
-// out of range, or when the wheel touches within 0.5 mm of an end of a profile; not converged when
-// no depth bears the load. Accuracy of the full method, against CONTACT in the benchmark: see
-// tests/lib/wheel_contact/benchmark.cpp.
+// out of range, when the wheel touches within 0.5 mm of an end of a profile, or when the load needs
+// more than 2 mm of depth; not converged when friction holds the wheel up. Accuracy of the full
+// method, against CONTACT in the benchmark: see tests/lib/wheel_contact/benchmark.cpp.
 WheelResult solve_wheel(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 
 struct WheelsetResult {
@@ -105,8 +107,9 @@ struct WheelsetResult {
 // A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels
 // at one height, and its angular velocity lets the moments about the axle cancel. Of the input,
 // `angular_velocity` is not used; of the pose, roll is not. Throws as solve_wheel, and when no roll
-// near the rigid wheelset's does. Some twenty solutions of both wheels by an approximate method; by
-// the full theory some six, one by itself, and two or three on its planes and cells.
+// near the rigid wheelset's does. Some twenty solutions of both wheels by an approximate method,
+// and some hundred where the roll depends on friction as on a flange; by the full theory some six,
+// one by itself, and two or three on its planes and cells.
 WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 // The same with another wheel or rail on the left, as seen in the mirror.
 WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right, const Pose& pose,

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -59,19 +61,33 @@ struct Balance {
   bool converged() const { return out.left.converged && out.right.converged; }
   double radius() const { return 0.5 * (left.radius + right.radius); }
 
-  // By brackets, with an approximate method.
-  double roll(double guess, double angular_velocity) {
-    const auto f = [&](double roll) { return approximate(roll, angular_velocity)[0]; };
+  // By brackets, with an approximate method; `turns` gives the angular velocity at a roll.
+  template <class Turns>
+  double roll_by(double guess, const Turns& turns, double relative = 1e-6) {
+    const auto f = [&](double roll) { return approximate(roll, turns(roll))[0]; };
     for (double reach = 2e-5; reach < 0.02; reach *= 3)
       if ((f(guess - reach) > 0) != (f(guess + reach) > 0))
         return guess +
-               num::find_root([&](double d) { return f(guess + d); }, -reach, reach, 1e-6).x;
+               num::find_root([&](double d) { return f(guess + d); }, -reach, reach, relative).x;
     throw InputError{"no roll near the rigid wheelset's has both wheels at one height"};
+  }
+  double roll(double guess, double angular_velocity) {
+    return roll_by(guess, [&](double) { return angular_velocity; });
   }
   double angular_velocity(double roll, double relative) {
     const double nominal = input.speed / radius();
     const auto f = [&](double angular_velocity) { return approximate(roll, angular_velocity)[1]; };
     return num::find_root(f, 0.9 * nominal, 1.1 * nominal, relative).x;
+  }
+
+  // Where friction bears much of a wheel, as on a flange, the roll depends on how fast the axle
+  // turns, and either of them is steep: by brackets, the angular velocity within the roll.
+  void settle_flange(double rigid) {
+    for (WheelSolver& wheel : quick) wheel.use_continuous_strips();
+    known.clear();
+    const auto turns = [&](double roll) { return angular_velocity(roll, 1e-9); };
+    const double at = roll_by(rigid, turns, 1e-9);
+    solve(at, turns(at), How::answer);
   }
 
   // Broyden's method on a roll and an angular velocity, which counts in `unit`s.
@@ -192,6 +208,7 @@ WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right,
             {WheelSolver(left, input), WheelSolver(right, input)}};
   double roll = rigid_roll(left, right, at.y, at.yaw);
   double angular_velocity = input.speed / b.radius();
+  const double rigid = roll;
   for (int k = 0; !full && k < (friction ? 2 : 1); ++k) {
     roll = b.roll(roll, angular_velocity);
     if (friction) angular_velocity = b.angular_velocity(roll, 1e-9);
@@ -201,9 +218,20 @@ WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right,
     b.settle(roll, angular_velocity, small);
   else
     b.solve(roll, angular_velocity, How::answer);
-  if (std::abs(b.off[0]) > 1e-6) out.reason = "the wheels do not come to one height";
-  if (friction && std::abs(b.off[1]) > 10 * small[1])
-    out.reason = "the moments about the axle do not balance";
+  const Vector2d allowed(1e-6, 10 * small[1]);
+  if (!full && friction && !(b.converged() && b.good(allowed))) b.settle_flange(rigid);
+  const char* advice = full ? "another number of --cells may do" : "take --method full";
+  if (std::abs(b.off[0]) > allowed[0])
+    out.reason = fmt::format(
+        "the wheels do not come to one height: at a roll of {:.4g} mrad they are {:.3g} um apart; "
+        "allowed: 1; {}",
+        1e3 * out.pose.roll, std::abs(b.off[0]) / units::micrometre, advice);
+  if (friction && std::abs(b.off[1]) > allowed[1])
+    out.reason = fmt::format(
+        "the moments about the axle do not balance: at {:.6g} rad/s {:.3g} N m are left; allowed: "
+        "{:.2g}; {}",
+        out.angular_velocity, std::abs(b.off[1]), allowed[1], advice);
+  for (const WheelResult* wheel : {&out.left, &out.right}) require_bearable(input, *wheel);
   for (const WheelResult* wheel : {&out.left, &out.right})
     if (!wheel->converged) out.reason = wheel->reason;
   out.converged = out.reason.empty();

@@ -211,8 +211,7 @@ std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, con
           if (rows.empty() && line.measured) add_errors(row, options, read, line, place, r);
         } catch (const std::runtime_error& error) {  // not of a lack of memory
           others.clear();
-          row.add("refused", std::string(error.what()));
-          row.warn("refused");
+          row.refuse(error.what());
         }
         rows.push_back(std::move(row));
         std::ranges::move(others, std::back_inserter(rows));

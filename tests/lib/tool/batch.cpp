@@ -47,6 +47,10 @@ struct Batch {
       rows[i].add("unknown", std::nan(""));
       if (name == "two") rows[i].warn("steep"), rows[i].warn("long");
     }
+    if (name == "partly") {
+      rows.emplace_back().add("kind", "whole");
+      rows.back().refuse("this row is bad");
+    }
     return rows;
   }
 
@@ -139,7 +143,25 @@ TEST_CASE("unit: the error at the end says that not all records were answered") 
   };
   CHECK(thrown_by({"one", "two"}) == 0);
   CHECK(thrown_by({"one", "refused"}) == 2);
+  CHECK(thrown_by({"one", "partly"}) == 2);
   CHECK(thrown_by({"one", "refused", "large"}) == 3);
+}
+
+TEST_CASE(
+    "unit: a record of which one row is refused counts as refused, and its other rows stand") {
+  const Batch batch({"one", "partly"});
+  std::string error;
+  const std::string said = batch.run(&error);
+  const auto rows = batch.rows();
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1]["status"] == "ok");
+  CHECK(rows[1]["reason"] == "");
+  CHECK(rows[1]["length"] == 0.5);
+  CHECK(rows[2]["status"] == "refused");
+  CHECK(rows[2]["reason"] == "this row is bad");
+  CHECK(batch.at.read("out/sum-table.csv").starts_with("record,status,reason,kind,"));
+  CHECK_THAT(said, Contains("1 of 2 records refused"));
+  CHECK_THAT(error, Contains("1 of 2 records refused; the first: ") && Contains("this row is bad"));
 }
 
 TEST_CASE("unit: without a folder the rows are printed, and nothing is kept") {

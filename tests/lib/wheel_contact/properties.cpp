@@ -75,13 +75,11 @@ TEST_CASE("property: left and right are mirror images, and forces keep to fricti
     }
 }
 
-TEST_CASE(
-    "property: by strips a load is borne, or reported to lie in a jump that the full theory does "
-    "not have") {
-  // The frames of the depth at which areas merge bear most of the loads in between.
+TEST_CASE("property: by strips a load is borne where areas merge, too") {
+  // The frames of the depth at which areas merge bear most of the loads in between, and strips that
+  // are continuous the others.
   const ProfilePair pair = s1002_on_60e1(1.0 / 40);
-  for (const auto& [load, most] : {std::pair{1e5, 2}, {2e5, 3}}) {
-    int jumps = 0;
+  for (const double load : {1e5, 2e5})
     for (int k = -160; k < 160; ++k) {
       WheelInput input = wish_for(Method::strips);
       input.load = load;
@@ -89,22 +87,9 @@ TEST_CASE(
       const Pose pose{.y = 5e-5 * k};
       const WheelResult found = solve_wheel(pair, pose, input);
       INFO("y " << pose.y << ", load " << load << ' ' << found.reason);
-      if (found.converged) {
-        CHECK(found.force.z() == Approx(input.load).epsilon(2e-5));
-        continue;
-      }
-      ++jumps;
-      CHECK_THAT(found.reason, Catch::Matchers::StartsWith("verge of a second contact"));
-      CHECK(found.patches.empty());
-      input.method = Method::full;
-      input.along = input.across = 20;
-      const WheelResult full = solve_wheel(pair, pose, input);
-      CHECK(full.converged);
-      CHECK(full.force.z() == Approx(input.load).epsilon(2e-3));
+      CHECK(found.converged);
+      CHECK(found.force.z() == Approx(input.load).epsilon(2e-5));
     }
-    CHECK(jumps >= 1);
-    CHECK(jumps <= most);
-  }
 }
 
 TEST_CASE("property: pressures are the half-space's on any grid, and finer grids change little") {
