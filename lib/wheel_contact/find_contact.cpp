@@ -102,12 +102,12 @@ ContactSearch find_contact(const PlacedWheel& wheel) {
 
 namespace {
 
-// Where the face of a wheel's flange is steepest, between the flange's tip and 50 mm outwards;
-// depths grow downwards, s outwards. Without a face, the slope is that of `least`.
+// Between the flange's tip and 50 mm outwards; depths grow downwards, s outwards. Without a face,
+// the slope is that of `least`.
 struct FlangeFace {
   double s, slope;
 };
-FlangeFace flange_face(const profiles::Profile& wheel, double least) {
+FlangeFace steepest_face(const profiles::Profile& wheel, double least) {
   constexpr double thickest = 0.05;  // m, of a flange
   double tip = wheel.from(), lowest = -units::infinity;
   for (double s = wheel.from(); s <= wheel.to(); s += step)
@@ -121,11 +121,20 @@ FlangeFace flange_face(const profiles::Profile& wheel, double least) {
 }  // namespace
 
 double flange_angle(const profiles::Profile& wheel) {
-  return std::atan(flange_face(wheel, 0).slope);
+  return std::atan(steepest_face(wheel, 0).slope);
+}
+
+double flange_place(const profiles::Profile& wheel) {
+  return steepest_face(wheel, 0).s;
+}
+
+double nadal_limit(double angle, double friction) {
+  const double slope = std::tan(angle);
+  return (slope - friction) / (1 + friction * slope);
 }
 
 void require_fit(const ProfilePair& pair) {
-  const double face = flange_face(pair.wheel, 1).s;  // beyond 45 degrees
+  const double face = steepest_face(pair.wheel, 1).s;  // beyond 45 degrees
   const PlacedWheel::Point first = find_contact(PlacedWheel(pair, {})).least.front();
   if (first.s < face || std::abs(first.angle) > 45 * units::degree)
     throw InputError(fmt::format(

@@ -66,6 +66,10 @@ ContactSearch find_contact(const PlacedWheel& wheel);
 // The largest angle [rad] of the flange's face to the axle, sampled every 0.1 mm across; 0 of a
 // wheel without a flange.
 double flange_angle(const profiles::Profile& wheel);
+// Where that is, s [m].
+double flange_place(const profiles::Profile& wheel);
+// Nadal's limit of Y/Q of a flange with this angle [rad]: (tan angle - mu)/(1 + mu tan angle).
+double nadal_limit(double angle, double friction);
 
 // Throws InputError when the wheelset does not fit between the rails: centred, it stands on its
 // flanges, beyond their steepest place or at an angle of more than 45 degrees.

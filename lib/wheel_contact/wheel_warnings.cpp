@@ -24,9 +24,36 @@ double neighbour_effect(const Work& w, const PatchResult& large, const PatchResu
   return std::max(0.0, a * b / (a + b) * sinking / small.load);
 }
 
+// A wheel that climbs on its flange, or has climbed: beyond the flange's steepest place, where the
+// angle is less by more than what a profile's points leave open.
+void warn_of_climbing(const Work& w, WheelResult& out) {
+  constexpr double least_flange = 45 * units::degree, sure = 3 * units::degree;
+  const profiles::Profile& profile = w.wheel.pair->wheel;
+  const double flange = flange_angle(profile);
+  if (out.patches.empty() || flange < least_flange) return;
+  const double mu = w.input.friction.flange.value_or(w.input.friction.coefficient);
+  const double limit = nadal_limit(flange, mu), ratio = out.force.y() / out.force.z();
+  const Frame& frame = out.patches.front().patch.frame;
+  const double s = w.touch.least.front().s;
+  if (s < flange_place(profile) && -frame.angle < flange - sure)
+    out.warnings.push_back(
+        {"climbed",
+         fmt::format(
+             "climbed: the wheel stands at {:.0f} degrees on its flange, beyond the steepest "
+             "place, {:.1f} mm above where it stands on its tread",
+             std::abs(frame.angle) / units::degree,
+             -(out.z + w.wheel.pose.roll * w.wheel.pair->half_spacing) / units::millimetre)});
+  if (ratio > limit)
+    out.warnings.push_back(
+        {"nadal",
+         fmt::format("Y/Q of {:.3g} is above Nadal's limit of {:.3g}: the flange may climb", ratio,
+                     limit)});
+}
+
 }  // namespace
 
 void add_warnings(const Work& w, WheelResult& out) {
+  warn_of_climbing(w, out);
   const auto warn = [&](const char* key, std::string text) {
     out.warnings.push_back({key, std::move(text)});
   };

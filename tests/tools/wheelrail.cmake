@@ -55,3 +55,12 @@ add_test(NAME "tool: wheelrail contact gives Y/Q and Nadal's limit"
 set_tests_properties("tool: wheelrail contact gives Y/Q and Nadal's limit" PROPERTIES PASS_REGULAR_EXPRESSION
                      "Nadal's limit of Y/Q +1\\.34[12].*flange of 70\\.0 degrees.*Y/Q, outward over down")
 add_test(NAME "tool: wheelrail says what does not converge, and answers nothing" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unconverged.sh ${bin})
+
+# Beyond the flange's steepest place a wheel has climbed; on its face Y/Q says whether it may.
+foreach(case "8mm:climbed. the wheel stands at [0-9]+ degrees on its flange.* 1[0-9.]+ mm above" "6.4mm:Y/Q of 1.[0-9]+ is above Nadal's limit of 1.34")
+  string(REGEX MATCH "^([^:]*):(.*)$" all "${case}")
+  add_test(NAME "tool: wheelrail contact warns of climbing at ${CMAKE_MATCH_1}"
+           COMMAND railbook wheelrail contact --load 80kN --speed 30m/s --method strips --shift ${CMAKE_MATCH_1})
+  set_tests_properties("tool: wheelrail contact warns of climbing at ${CMAKE_MATCH_1}" PROPERTIES PASS_REGULAR_EXPRESSION
+                       "WARNING: right wheel: ${CMAKE_MATCH_2}" FAIL_REGULAR_EXPRESSION "left wheel: (climbed|Y/Q)")
+endforeach()

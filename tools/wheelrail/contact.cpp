@@ -274,13 +274,13 @@ tool::Summary answer_of(const Options& options, const ReadPair& read, const Whee
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
   const auto add_nadal = [&](const char* key, const char* what, const ProfilePair& pair) {
-    const double flange = flange_angle(pair.wheel), slope = std::tan(flange),
+    const double flange = flange_angle(pair.wheel),
                  mu = options.wheel_input.friction.flange.value_or(options.friction);
     if (flange < 45 * units::degree)  // those of rolling stock have 60 to 75
       return answer.warn(key, fmt::format("the wheel has no flange, its steepest place rises by "
                                           "{:.1f} degrees: is the profile whole?",
                                           flange / units::degree));
-    answer.add(key, what, (slope - mu) / (1 + mu * slope), "",
+    answer.add(key, what, nadal_limit(flange, mu), "",
                fmt::format("flange of {:.1f} degrees, friction {:g}", flange / units::degree, mu));
   };
   add_nadal("nadal_limit", "Nadal's limit of Y/Q", read.left);

@@ -285,7 +285,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "in words: "
       "interpolation: between this shift and the next linear interpolation is off by more than 5 % "
       "of mu N; method: the method is off the full theory by more than that, or by 10 % of the "
-      "pressure; verge, unlike, neighbour, half_space, two_areas, shared_frame, off_profile, "
+      "pressure; climbed: the wheel stands beyond its flange's steepest place; nadal: Y/Q is above "
+      "Nadal's limit; verge, unlike, neighbour, half_space, two_areas, shared_frame, off_profile, "
       "conformal, theory_range and coarse: what wheelrail contact warns of there.\n\n"
       "Example: railbook wheelrail table --speed 30m/s --load 40kN 50kN --slip -0.002 0 0.002 "
       "--out mine");
