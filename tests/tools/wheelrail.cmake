@@ -64,3 +64,8 @@ foreach(case "8mm:climbed. the wheel stands at [0-9]+ degrees on its flange.* 1[
   set_tests_properties("tool: wheelrail contact warns of climbing at ${CMAKE_MATCH_1}" PROPERTIES PASS_REGULAR_EXPRESSION
                        "WARNING: right wheel: ${CMAKE_MATCH_2}" FAIL_REGULAR_EXPRESSION "left wheel: (climbed|Y/Q)")
 endforeach()
+
+add_test(NAME "tool: hunting geometry warns of a wheelset on its flanges' roots" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples/hunting
+         COMMAND railbook hunting geometry --wheel worn-wheel.csv --rail worn-rail.csv --gauge 1415mm)
+set_tests_properties("tool: hunting geometry warns of a wheelset on its flanges' roots" PROPERTIES PASS_REGULAR_EXPRESSION
+                     "WARNING: wheel .*the centred wheelset stands on the roots of its flanges, at 22 degrees.*back-to-back and origin\n")

@@ -47,6 +47,19 @@ const NamedPair& named(const PairOptions& options) {
                             [](const NamedPair& p) { return std::string(p.key); });
 }
 
+// A centred wheelset that stands on its flanges' roots: treads have contact angles of some degrees.
+void warn_of_root(const WheelsetOnTrack& pair, std::vector<ProfileFit>& fits) {
+  constexpr double steepest_tread = 10 * units::degree;
+  const double angle = std::abs(pair.contact(0).left.delta);
+  if (angle > steepest_tread)
+    fits.front().warnings.push_back(
+        {"root",
+         fmt::format("the centred wheelset stands on the roots of its flanges, at {:.0f} degrees; "
+                     "check gauge, back-to-back and origin",
+                     angle / units::degree),
+         units::infinity, units::infinity});
+}
+
 }  // namespace
 
 bool from_files(const PairOptions& options) {
@@ -82,6 +95,7 @@ ReadPair read_pair(const PairOptions& options) {
   const Curve wheel = read("wheel", options.wheel), rail = read("rail", options.rail);
   double depth = fits.back().depth_below_end;
   WheelsetOnTrack left = place(Side::left, wheel, rail, depth);
+  warn_of_root(left, fits);
   if (!sides_differ(options)) return {std::move(left), std::move(fits)};
   const Curve other =
       options.right_wheel.empty() ? wheel : read("right wheel", options.right_wheel);
