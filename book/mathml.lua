@@ -35,6 +35,7 @@ end
 local function one(text)
   local formula, annotation = text:match("^(.-)(<annotation.*)$")
   formula = formula or text
+  for sign in pairs(signed) do formula = formula:gsub("<mi>" .. sign .. "</mi>", "<mo>" .. sign .. "</mo>") end -- pandoc 3.1 writes signs so
   formula = formula:gsub('<mo accent="true">([^<]*)</mo>', function(mark)
     return accents[mark] and '<mo accent="true" stretchy="false">' .. accents[mark] .. "</mo>"
   end)
