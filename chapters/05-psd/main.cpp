@@ -137,7 +137,7 @@ $ railbook psd classify track.csv --column profile
   roughness A                            5.1e-07 +- 1e-08 m^2*cycle/m   (standard error)
   corner phi_c                           0.129 +- 0.002 cycle/m   (standard error)
 ...
-  rail length                            11.89 m
+  rail length                            11.89 m   (the default, and its line is there)
   joint dip B, printed convention        10.7 +- 0.4 mm   (standard error; as in Table 1)
 ...
   deviation d expected of a 62-ft chord  29.77 mm   (random 20.69, joints 21.41)
@@ -196,7 +196,7 @@ synthetic track in old.csv
 ...
 $ railbook psd classify old.csv --column profile
 ...
-  rail length                            10.06 m
+  rail length                            10.06 m   (as the spectrum shows)
 ...
 ```
 

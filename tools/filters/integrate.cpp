@@ -320,28 +320,30 @@ tool::Tool integrate_tool() {
         o.text("--speed-column", options->speed_column, "the column that holds it");
         o.text("--band", options->band, "of wavelengths: D0 to D3, or two of them, as 3m-35m");
         o.out(options->out);
-        o.help(std::string{tools::record_help} +
-               "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
-               "--unit names, m/s^2 or g; positions are along the track, or with --resample put on "
-               "a grid.\n"
-               "Accelerations are screened as heights are, but codes are kept, too (--missing, or "
-               "--screen outliers, takes them out), and sizes in\n"
-               "warnings.csv are size_m_per_s2. The command also warns of samples at an end of the "
-               "range, as of an accelerometer that clips, and, in\n"
-               "bands from 1 m to 300 m, of heights over twice those of the roughest reference "
-               "spectrum "
-               "of psd classify, or below those of the\n"
-               "smoothest, as of noise or a wrong unit.\n"
-               "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
-               "empty beside ends and gaps until the band's\n"
-               "filter has decayed to 2 % (51 m in D1, 236 m in D2, 664 m in D3, 1.2 km in "
-               "100m-150m); in the first wave beyond that, what\n"
-               "they hide may still add 2 % of the rms. Of an accelerometer on a body heights are "
-               "the body's.\n"
-               "A constant error of the accelerometer, and one that drifts evenly, leave nothing: "
-               "a line is taken off each stretch without a gap."
-               "\n\nExample: railbook filters integrate axlebox.csv --column az --speed 80km/h "
-               "--band 3m-25m --out mine");
+        o.help(
+            std::string{tools::record_help} +
+            "\n\n--column is the vertical acceleration, upward, in the unit that its header or "
+            "--unit names, m/s^2 or g; positions are along the track, or with --resample put on "
+            "a grid.\n"
+            "Accelerations are screened as heights are, but codes are kept, too (--missing, or "
+            "--screen outliers, takes them out).\n"
+            "warnings.csv: column, warning, place and size, here size_m_per_s2. The command also "
+            "warns of samples at an end of the range, as of\n"
+            "an accelerometer that clips, and, in\n"
+            "bands from 1 m to 300 m, of heights over twice those of the roughest reference "
+            "spectrum "
+            "of psd classify, or below those of the\n"
+            "smoothest, as of noise or a wrong unit.\n"
+            "heights.csv: distance_m and height_mm, positive upward, in the band of --band, "
+            "empty beside ends and gaps until the band's\n"
+            "filter has decayed to 2 % (51 m in D1, 236 m in D2, 664 m in D3, 1.2 km in "
+            "100m-150m); in the first wave beyond that, what\n"
+            "they hide may still add 2 % of the rms. Of an accelerometer on a body heights are "
+            "the body's.\n"
+            "A constant error of the accelerometer, and one that drifts evenly, leave nothing: "
+            "a line is taken off each stretch without a gap."
+            "\n\nExample: railbook filters integrate axlebox.csv --column az --speed 80km/h "
+            "--band 3m-25m --out mine");
         return [options] { integrate(*options); };
       }};
 }
