@@ -9,6 +9,7 @@
 #include <map>
 
 #include <railbook/files/outside.hpp>
+#include <railbook/profiles/gauges.hpp>
 #include <railbook/tool/batch.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
@@ -75,6 +76,24 @@ void add_place_options(tool::OptionParser& parser, const std::string& side, Rail
                   near);
 }
 
+// A flange that no wheel has, as where the profile's origin is not the tape circle: new ones have
+// up to 35 mm.
+void warn_of_thickness(const Curve& wheel, ProfileFit& fit) {
+  constexpr double thickest = 36 * millimetre;
+  try {
+    const double thickness = profiles::wheel_gauges(wheel).thickness;
+    if (thickness > thickest)
+      fit.warnings.push_back(
+          {"thickness",
+           fmt::format("the flange would be {:.1f} mm thick (Sd), where wheels have up to 35 mm: "
+                       "is the origin the tape circle? See --datum",
+                       thickness / millimetre),
+           units::infinity, units::infinity});
+  } catch (const InputError&) {
+    // no flange, which is said elsewhere
+  }
+}
+
 }  // namespace
 
 std::vector<PairFiles> pairs_of(const PairOptions& options) {
@@ -130,7 +149,9 @@ Curve read_profile(const PairOptions& options, const char* what, const std::file
   read.columns = columns_of(form.columns, wheel ? "--wheel-columns" : "--rail-columns");
   if (form.section > 0) read.section = form.section;
   fits.push_back({what});
-  return profiles::read_profile(file, wheel ? Body::wheel : Body::rail, read, fits.back());
+  Curve curve = profiles::read_profile(file, wheel ? Body::wheel : Body::rail, read, fits.back());
+  if (wheel) warn_of_thickness(curve, fits.back());
+  return curve;
 }
 
 Curve placed_rail(const PairOptions& options, Side side, const Curve& rail,

@@ -69,3 +69,9 @@ add_test(NAME "tool: hunting geometry warns of a wheelset on its flanges' roots"
          COMMAND railbook hunting geometry --wheel worn-wheel.csv --rail worn-rail.csv --gauge 1415mm)
 set_tests_properties("tool: hunting geometry warns of a wheelset on its flanges' roots" PROPERTIES PASS_REGULAR_EXPRESSION
                      "WARNING: wheel .*the centred wheelset stands on the roots of its flanges, at 22 degrees.*back-to-back and origin\n")
+# A wheel whose origin is 12 mm off has a flange that no wheel has.
+add_test(NAME "tool: hunting warns of a flange that is too thick"
+         COMMAND sh -c "awk -F, -v OFS=, '/^[-0-9]/ {$1 -= 12} 1' $1 >$2 && $0 hunting geometry --wheel $2 --rail $3 --no-figures"
+                 $<TARGET_FILE:railbook> ${PROJECT_SOURCE_DIR}/tools/examples/hunting/worn-wheel.csv ${PROJECT_BINARY_DIR}/ctest/thick-wheel.csv
+                 ${PROJECT_SOURCE_DIR}/tools/examples/hunting/worn-rail.csv)
+set_tests_properties("tool: hunting warns of a flange that is too thick" PROPERTIES PASS_REGULAR_EXPRESSION "flange would be [0-9.]+ mm thick .Sd.")
