@@ -329,7 +329,7 @@ struct Study : Known {
   }
   // How long the grids of one length take beside the full theory.
   std::string one_length_answer(bool timings) const {
-    if (!timings) return "(Not timed.)";
+    if (!timings) return "(The grids were not timed.)";
     const auto of = [&](const char* method, const char* setting) {
       const auto point = std::ranges::find_if(
           points, [&](const auto& p) { return p.method == method && p.setting == setting; });
@@ -340,8 +340,7 @@ struct Study : Known {
                          of("one length: transforms", setting));
     };
     return fmt::format(
-        "On 12 x 12 cells the full theory takes {}, and grids of one length {}; on 16 x 16 cells "
-        "it "
+        "On 12 x 12 cells the full theory takes {}, and grids of one length {}; on 16 x 16 cells it "
         "is {}, {}.",
         of("full theory", "12 x 12 cells"), both("12 x 12 cells"),
         of("full theory", "16 x 16 cells"), both("16 x 16 cells"));
