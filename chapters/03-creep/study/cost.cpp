@@ -340,8 +340,8 @@ struct Study : Known {
                          of("one length: transforms", setting));
     };
     return fmt::format(
-        "On 12 x 12 cells the full theory takes {}, and grids of one length {}; on 16 x 16 cells it "
-        "is {}, {}.",
+        "On 12 x 12 cells the full theory takes {}, and grids of one length {}; on 16 x 16 cells, "
+        "{} and {}.",
         of("full theory", "12 x 12 cells"), both("12 x 12 cells"),
         of("full theory", "16 x 16 cells"), both("16 x 16 cells"));
   }
