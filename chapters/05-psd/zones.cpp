@@ -100,8 +100,9 @@ void check_row(report::Item& item, const report::Row& row, const Zone& zone) {
                                             "through (7)"
                                           : "rounding of C₁ and β carried through (7), and of B to "
                                             "half a millimetre: the print ends in .0 or .5"));
-  report::Trial trial = item.trial(zone.name + "-B", "gap between the printed B, less its rounding, and (7)",
-                                   "{:.2f} mm", [](double gap) { return gap > 0; });
+  report::Trial trial =
+      item.trial(zone.name + "-B", "gap between the printed B, less its rounding, and (7)",
+                 "{:.2f} mm", [](double gap) { return gap > 0; });
   trial.vary("rounding of C₁ and β", [&](const report::Setting& s) {
     const auto rounding = s.text == "down" ? Rounding::down
                           : s.text == "up" ? Rounding::up
