@@ -216,8 +216,7 @@ WheelResult WheelSolver::solve(const Pose& pose, double angular_velocity, Purpos
   if (!depth.converged && !full) {
     out.reason = fmt::format(
         "verge of a second contact: by this method the load jumps at {:.6g} N; take the full "
-        "theory "
-        "(--method full)",
+        "theory (--method full)",
         s.input.load);
     return out;
   }

@@ -40,8 +40,10 @@ void ShortWaves::push(std::span<const double> piece, double spacing) {
 
 void ShortWaves::finish() {
   if (!d1_.stream) return;
-  d1_.stream->finish();
-  d2_.stream->finish();
+  for (Band* band : {&d1_, &d2_}) {
+    band->stream->finish();
+    band->stream.reset();  // it refers to the band, which may be moved from now on
+  }
 }
 
 std::optional<double> ShortWaves::alone() const {
